@@ -1,6 +1,10 @@
 #include "reference/geometry.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,9 +20,15 @@ namespace {
 
 constexpr std::uint32_t none = RTC_INVALID_GEOMETRY_ID;
 
+#if RTC_VERSION_MAJOR >= 4
+using QueryContext = RTCRayQueryContext;
+#else
+using QueryContext = RTCIntersectContext;
+#endif
+
 /// What a ray leaves out. Embree passes the context on to the filter.
 struct Query {
-  RTCIntersectContext context;  // first: the filter is handed its address
+  QueryContext context;  // first: the filter is handed its address
   const Scene* scene = nullptr;
   std::uint32_t body = none;
   std::uint32_t triangle = none;
@@ -41,10 +51,54 @@ void leaveOut(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
 }
 
+// Embree 4 is told the filter with each ray, Embree 3 with the context.
+#if RTC_VERSION_MAJOR >= 4
+constexpr RTCSceneFlags filtered = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+
+void begin(QueryContext& context) {
+  rtcInitRayQueryContext(&context);
+}
+
+template <typename Arguments>
+void setFilter(Arguments& arguments, QueryContext& context) {
+  arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  arguments.context = &context;
+  arguments.filter = leaveOut;
+}
+
+void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  setFilter(arguments, context);
+  rtcIntersect1(scene, &ray, &arguments);
+}
+
+void occlude(RTCScene scene, QueryContext& context, RTCRay& ray) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  setFilter(arguments, context);
+  rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+constexpr RTCSceneFlags filtered = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
+void begin(QueryContext& context) {
+  rtcInitIntersectContext(&context);
+  context.filter = leaveOut;
+}
+
+void intersect(RTCScene scene, QueryContext& context, RTCRayHit& ray) {
+  rtcIntersect1(scene, &context, &ray);
+}
+
+void occlude(RTCScene scene, QueryContext& context, RTCRay& ray) {
+  rtcOccluded1(scene, &context, &ray);
+}
+#endif
+
 Query queryFrom(const Scene& scene, std::uint32_t body, std::uint32_t triangle) {
   Query query{};
-  rtcInitIntersectContext(&query.context);
-  query.context.filter = leaveOut;
+  begin(query.context);
   query.scene = &scene;
   query.body = body;
   query.triangle = triangle;
@@ -116,7 +170,7 @@ Geometry::Geometry(const Scene& scene)
   device_->device = rtcNewDevice(nullptr);
   if (device_->device == nullptr) throw Error("Embree, which casts the rays, does not start");
   device_->scene = rtcNewScene(device_->device);
-  rtcSetSceneFlags(device_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneFlags(device_->scene, RTC_SCENE_FLAG_ROBUST | filtered);
   rtcSetSceneBuildQuality(device_->scene, RTC_BUILD_QUALITY_HIGH);
   for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
     device_->add(scene.bodies[i], i, box_.centre());
@@ -190,7 +244,7 @@ std::optional<Geometry::Hit> Geometry::closestBut(std::uint32_t body, std::uint3
   RTCRayHit ray{};
   ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
   ray.hit.geomID = none;
-  rtcIntersect1(device_->scene, &query.context, &ray);
+  intersect(device_->scene, query.context, ray);
   if (ray.hit.geomID == none) return std::nullopt;
   return refined(*this, ray.hit.geomID, ray.hit.primID, origin, direction);
 }
@@ -209,7 +263,7 @@ bool Geometry::occluded(const SurfacePoint& from, const Vector& direction,
                         double distanceMm) const {
   Query query = queryFrom(scene_, from.body, from.triangle);
   RTCRay ray = rayOf(startOf(from, direction) - box_.centre(), direction, distanceMm);
-  rtcOccluded1(device_->scene, &query.context, &ray);
+  occlude(device_->scene, query.context, ray);
   return ray.tfar < 0;
 }
 

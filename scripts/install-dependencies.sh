@@ -104,7 +104,7 @@ on_unknown_system() {
   cat >&2 <<END
 install-dependencies: this system has neither apt nor dnf. Opaline needs a C++20 compiler, CMake 3.22,
 Ninja, git, Python 3, glslc, a Vulkan 1.3 driver with loader and validation layers, and the headers of
-Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3, TBB, pybind11, GoogleTest; NumPy, SciPy.
+Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3 or 4, TBB, pybind11, GoogleTest; NumPy, SciPy.
 END
   if [ "${#missing[@]}" -gt 0 ]; then
     echo "install-dependencies: not found here: ${missing[*]}" >&2

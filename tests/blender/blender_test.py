@@ -80,6 +80,9 @@ class Blender(BlenderTest):
     def test_pictures_on_inputs_look_as_in_cycles(self):
         self.run_inside("textures")
 
+    def test_sheets_let_light_through_as_in_cycles(self):
+        self.run_inside("sheets")
+
     def test_light_spreads_as_far_as_in_cycles(self):
         self.run_inside("spread")
 

@@ -21,11 +21,18 @@ class Viewport(BlenderTest):
         with os.fdopen(read) as pipe:
             return ":" + pipe.readline().strip()
 
-    def test_it_follows_what_an_artist_does(self):
-        words = [BLENDER, "--factory-startup", "--window-geometry", "0", "0", "480", "360", "--python", HERE / "inside" / "viewport.py",
+    def run_in_window(self, script):
+        words = [BLENDER, "--factory-startup", "--window-geometry", "0", "0", "480", "360", "--python", HERE / "inside" / f"{script}.py",
                  "--", self.folder]
         text = self.run_blender(words, DISPLAY=self.start_display())
         self.assertIn("DONE", text)
+
+    def test_it_follows_what_an_artist_does(self):
+        self.run_in_window("viewport")
+
+    @unittest.skipIf(shutil.which("xdotool") is None, "xdotool is not installed")
+    def test_escape_cancels_a_render(self):
+        self.run_in_window("escape")
 
 
 if __name__ == "__main__":

@@ -124,7 +124,7 @@ class FinalRender:
         width, height, part = picture_size(self._scene)
         matrices = matrices_of(self._depsgraph, self._scene, width, height, part)
         view = camera.camera_of(*matrices, mm_per_unit)
-        if any(camera.clips(*matrices, mm_per_unit, body.mesh.positions) for body in seen.bodies):
+        if any(camera.clips(*matrices, mm_per_unit, body.mesh) for body in seen.bodies):
             notes.add("the camera's clip distances cut nothing off", self._scene.camera.name)
         self._say(notes, session)
         size = part[2] - part[0], part[3] - part[1]

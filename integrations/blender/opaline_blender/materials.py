@@ -28,7 +28,10 @@ class Materials:
             ior=min(max(look.ior, 1), 10), specular=look.specular,
             normal_texture=self._texture(look.normal_picture, images.pixels_of), normal_scale=look.normal_scale,
             emission=np.clip(look.emission, 0, 1e30), emission_texture=self._texture(look.emission_picture, images.colors_of),
-            alpha=min(max(look.alpha, 0), 1), alpha_cutoff=0.5 if look.is_cut_out else 0, unlit=look.unlit)}
+            alpha=min(max(look.alpha, 0), 1), alpha_cutoff=0.5 if look.is_cut_out else 0, unlit=look.unlit,
+            diffuse_transmission=look.through,
+            diffuse_transmission_color=np.clip(look.through_color if not look.through_picture else (1, 1, 1), 0, 1),
+            diffuse_transmission_color_texture=self._texture(look.through_picture, images.colors_of))}
 
     def _surface(self, look):
         import opaline

@@ -79,6 +79,14 @@ def holes():
     common.compare_with_cycles("no holes")
     tree.links.new(node.outputs["Alpha"], shader.inputs["Alpha"])
     common.compare_with_cycles("holes")
+    # The same mask by a mixture with Transparent.
+    tree.links.remove(shader.inputs["Alpha"].links[0])
+    clear, mixed = tree.nodes.new("ShaderNodeBsdfTransparent"), tree.nodes.new("ShaderNodeMixShader")
+    tree.links.new(clear.outputs["BSDF"], mixed.inputs[1])
+    tree.links.new(shader.outputs["BSDF"], mixed.inputs[2])
+    tree.links.new(node.outputs["Alpha"], mixed.inputs["Fac"])
+    tree.links.new(mixed.outputs["Shader"], tree.nodes["Material Output"].inputs["Surface"])
+    common.compare_with_cycles("holes by a mixture")
 
 
 def polish():

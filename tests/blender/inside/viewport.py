@@ -116,21 +116,26 @@ def settled(name, is_right):
     common.check(False, f"{name}: the viewport did not follow, or does not come to rest")
 
 
-def run(work=steps()):
-    try:
-        next(work)
-    except StopIteration:
-        print("DONE")
-        sys.stdout.flush()
-        os._exit(0)
-    except Exception:
-        import traceback
+def run_steps(work):
+    """One after the other, each once the window has had time to draw. Ends Blender."""
+    def step():
+        try:
+            next(work)
+        except StopIteration:
+            print("DONE")
+            sys.stdout.flush()
+            os._exit(0)
+        except Exception:
+            import traceback
 
-        traceback.print_exc()
-        sys.stderr.flush()
-        os._exit(4)
-    return 0.1
+            traceback.print_exc()
+            sys.stderr.flush()
+            os._exit(4)
+        return 0.1
+
+    bpy.context.preferences.view.show_splash = False
+    bpy.app.timers.register(step, first_interval=1)
 
 
-bpy.context.preferences.view.show_splash = False
-bpy.app.timers.register(run, first_interval=1)
+if __name__ == "__main__":
+    run_steps(steps())

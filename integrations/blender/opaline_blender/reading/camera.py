@@ -1,5 +1,6 @@
 """Cameras, by the matrix that Blender projects with."""
 
+import itertools
 import math
 
 import numpy as np
@@ -36,11 +37,18 @@ def camera_of(to_world, projection, mm_per_unit, bounds=None):
     return opaline.Camera(place, target, up, min(max(fov, 1), 170), shift_x=projection[0, 2] / 2, shift_y=projection[1, 2] / 2)
 
 
-def clips(to_world, projection, mm_per_unit, positions):
-    """Whether some of these places, in our axes and mm, would be in the picture but for the clip distances."""
-    places = units.turned_back(positions) / mm_per_unit
-    places = np.concatenate([places, np.ones((len(places), 1))], axis=1)
-    x, y, z, w = (np.array(projection) @ np.linalg.inv(np.array(to_world)) @ places.T)
+def clips(to_world, projection, mm_per_unit, mesh):
+    """Whether some of a mesh, in our axes and mm, would be in the picture but for the clip distances."""
+    to_picture = np.array(projection, dtype=float) @ np.linalg.inv(np.array(to_world, dtype=float))
+
+    def projected(positions):
+        places = units.turned_back(positions) / mm_per_unit
+        return to_picture[:, :3] @ places.T + to_picture[:, 3:]
+
+    _, _, z, w = projected(np.array(list(itertools.product(*zip(*mesh.bounds)))))
+    if np.all((w > 0) & (np.abs(z) <= w)):  # so is all that is in the box
+        return False
+    x, y, z, w = projected(mesh.positions)
     return bool(np.any((w > 0) & (np.abs(x) <= w) & (np.abs(y) <= w) & (np.abs(z) > w)))
 
 

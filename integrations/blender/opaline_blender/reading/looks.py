@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from .. import subsurface
-from . import nodes
+from . import mixtures, nodes
 
 
 @dataclasses.dataclass(frozen=True)
@@ -33,6 +33,9 @@ class Look:
     alpha: float = 1.0
     is_cut_out: bool = False  # where alpha is below a half, that of the colours' picture included
     unlit: bool = False
+    through: float = 0.0  # share of the light given back diffusely that leaves the other side instead
+    through_color: tuple = (1.0, 1.0, 1.0)
+    through_picture: nodes.Picture = None
 
     @property
     def is_translucent(self):
@@ -80,21 +83,6 @@ def _textured(node, default, notes, name, socket):
     """A number and the picture that it multiplies."""
     picture = nodes.picture(nodes.socket(node, socket), notes, name)
     return 1.0 if picture else nodes.number(node, default, socket), picture
-
-
-def _alpha(node, color_picture, notes, name):
-    """Alpha, and whether the surface ends where it is below a half."""
-    picture = nodes.picture(nodes.socket(node, "Alpha"), notes, name)
-    if picture is not None:
-        notes.add("alpha is shown as a mask, which ends at a half", name)
-        if color_picture is None or picture.image != color_picture.image or picture.channel != nodes.ALPHA:
-            notes.add("alpha but that of the base color's picture is not shown", name)
-            return 1.0, False
-        return 1.0, True
-    alpha = nodes.number(node, 1, "Alpha")
-    if alpha < 1:
-        notes.add("alpha is shown as a mask, which ends at a half", name)
-    return alpha, alpha < 0.5
 
 
 MATT_METAL = 0.4  # roughness, beyond which facets send on more than 3 % of the light
@@ -157,7 +145,7 @@ def _principled(node, name, mm_per_unit, notes):
     roughness, roughness_picture = _textured(node, 0.5, notes, name, "Roughness")
     if roughness_picture and metallic_picture and roughness_picture.place() != metallic_picture.place():
         notes.add("pictures of metallic and roughness lie as that of roughness does", name)
-    alpha, is_cut_out = _alpha(node, color_picture, notes, name)
+    alpha, is_cut_out = nodes.mask(nodes.socket(node, "Alpha"), color_picture, notes, name)
     _note_what_is_left(node, notes, name)
     _note_metal(node, notes, name, (metallic, metallic_picture), (roughness, roughness_picture))
     look = Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Base Color"), color_picture=color_picture,
@@ -198,23 +186,33 @@ def _subsurface(node, name, mm_per_unit, notes):
                 anisotropy=nodes.number(node, 0, "Anisotropy"), specular=0.0)
 
 
+def _translucent(node, name, mm_per_unit, notes):
+    del mm_per_unit
+    return Look(name=name, color=(0, 0, 0), roughness=1.0, specular=0.0, through=1.0,
+                through_color=nodes.vector(node, (0.8, 0.8, 0.8), "Color"),
+                through_picture=nodes.picture(nodes.socket(node, "Color"), notes, name))
+
+
 SHADERS = {"BSDF_PRINCIPLED": _principled, "BSDF_DIFFUSE": _diffuse, "BSDF_GLOSSY": _glossy, "EMISSION": _emission,
-           "SUBSURFACE_SCATTERING": _subsurface}
+           "SUBSURFACE_SCATTERING": _subsurface, "BSDF_TRANSLUCENT": _translucent}
 
 
-def _shader_of(node, name, notes):
-    """The node that says most of how a surface looks."""
-    for _ in range(32):
-        if node is None or node.type in SHADERS:
-            return node
-        inputs = [entry for entry in node.inputs if entry.type == "SHADER"]
-        if node.type not in ("MIX_SHADER", "ADD_SHADER") or not inputs:
-            return None
-        notes.add("of mixed shaders one is shown", name)
-        factor = nodes.number(node, 0.5, "Fac", "Factor") if node.type == "MIX_SHADER" else 0
-        behind = nodes.source(inputs[1 if factor > 0.5 else 0]) or nodes.source(inputs[-1])
-        node = behind.node if behind is not None else None
-    return None
+def _look_behind(of, name, mm_per_unit, notes, deepest=32):
+    """Of the shader that a socket is linked to; None where it is not known."""
+    behind = nodes.source(of)
+    if behind is None or deepest == 0:
+        return None
+    node = behind.node
+    if node.type in SHADERS:
+        return SHADERS[node.type](node, name, mm_per_unit, notes)
+    inputs = [entry for entry in node.inputs if entry.type == "SHADER"]
+    if node.type not in ("MIX_SHADER", "ADD_SHADER") or not inputs:
+        return None
+
+    def look_of_input(index):
+        return _look_behind(inputs[index], name, mm_per_unit, notes, deepest - 1)
+
+    return mixtures.look_of(node, inputs, look_of_input, name, notes)
 
 
 def look_of(material, mm_per_unit, notes):
@@ -234,13 +232,12 @@ def _by_shader(material, mm_per_unit, notes):
     if not material.use_nodes or material.node_tree is None:
         return Look(name=name, color=tuple(material.diffuse_color)[:3], metallic=material.metallic, roughness=material.roughness)
     output = material.node_tree.get_output_node("CYCLES") or material.node_tree.get_output_node("ALL")
-    behind = nodes.source(output.inputs["Surface"]) if output is not None else None
     if output is not None and output.inputs["Volume"].is_linked:
         notes.add("volumes are not shown", name)
     if output is not None and output.inputs["Displacement"].is_linked:
         notes.add("displacement by materials is not shown", name)
-    shader = _shader_of(behind.node if behind is not None else None, name, notes)
-    if shader is None:
+    look = _look_behind(output.inputs["Surface"], name, mm_per_unit, notes) if output is not None else None
+    if look is None:
         notes.add("materials whose shader is not known are shown in grey", name)
         return dataclasses.replace(GREY, name=name)
-    return SHADERS[shader.type](shader, name, mm_per_unit, notes)
+    return look

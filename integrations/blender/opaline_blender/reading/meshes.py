@@ -1,6 +1,7 @@
 """Evaluated meshes as arrays, without a loop over vertices."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -13,6 +14,11 @@ class Mesh:
     normals: np.ndarray  # (N, 3)
     coordinates: np.ndarray  # (N, 2), v down, or None
     triangles: np.ndarray  # (M, 3)
+
+    @functools.cached_property
+    def bounds(self):
+        """Two corners of the box around it."""
+        return self.positions.min(axis=0), self.positions.max(axis=0)
 
     def is_like(self, other):
         """Whether it is the same but for where its vertices are."""

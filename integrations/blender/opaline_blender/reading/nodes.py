@@ -50,14 +50,18 @@ def source(of):
     return None
 
 
-def number(node, default, *names):
-    found = socket(node, *names)
-    if found is None:
+def value(of, default):
+    """The number of a socket, where there is one."""
+    if of is None:
         return default
-    behind = source(found)
+    behind = source(of)
     if behind is not None and behind.node.type == "VALUE":
         return behind.default_value
-    return found.default_value
+    return of.default_value
+
+
+def number(node, default, *names):
+    return value(socket(node, *names), default)
 
 
 def vector(node, default, *names):
@@ -107,3 +111,18 @@ def picture(of, notes, name):
         return None
     return Picture(node.image, WRAPS.get(node.extension, "repeat"), node.interpolation != "Closest", _transform(node, notes, name),
                    channel, images.state_of(node.image))
+
+
+def mask(of, color_picture, notes, name):
+    """Alpha by a socket, and whether the surface ends where it is below a half."""
+    found = picture(of, notes, name)
+    if found is not None:
+        notes.add("alpha is shown as a mask, which ends at a half", name)
+        if color_picture is None or found.image != color_picture.image or found.channel != ALPHA:
+            notes.add("alpha but that of the base color's picture is not shown", name)
+            return 1.0, False
+        return 1.0, True
+    alpha = value(of, 1)
+    if alpha < 1:
+        notes.add("alpha is shown as a mask, which ends at a half", name)
+    return alpha, alpha < 0.5

@@ -35,8 +35,8 @@ class Snapshot:
     @functools.cached_property
     def bounds(self):
         """The corners of the box around all bodies, mm; there is one at least."""
-        positions = [body.mesh.positions for body in self.bodies if len(body.mesh.positions)]
-        return np.min([each.min(axis=0) for each in positions], axis=0), np.max([each.max(axis=0) for each in positions], axis=0)
+        lows, highs = zip(*(body.mesh.bounds for body in self.bodies))
+        return np.min(lows, axis=0), np.max(highs, axis=0)
 
     def is_same(self, other):
         """Whether it looks the same: Blender tells of many changes that nobody sees."""
