@@ -23,11 +23,12 @@ def principled(method="RANDOM_WALK_SKIN", distribution="MULTI_GGX", **inputs):
     values = {"Base Color": (0.8, 0.5, 0.3, 1), "Metallic": 0.0, "Roughness": 0.5, "IOR": 1.5, "Alpha": 1.0,
               "Normal": (0, 0, 0), "Subsurface Weight": 0.0, "Subsurface Radius": (1, 0.2, 0.1), "Subsurface Scale": 0.05,
               "Subsurface IOR": 1.4, "Subsurface Anisotropy": 0.0, "Specular IOR Level": 0.5, "Specular Tint": (1, 1, 1, 1),
-              "Anisotropic": 0.0, "Transmission Weight": 0.0, "Coat Weight": 0.0, "Sheen Weight": 0.0,
+              "Anisotropic": 0.0, "Transmission Weight": 0.0, "Coat Weight": 0.0, "Sheen Weight": 0.0, "Diffuse Roughness": 0.0,
+              "Thin Film Thickness": 0.0,
               "Emission Color": (1, 1, 1, 1), "Emission Strength": 0.0}
     values.update(inputs)
-    sockets = [types.SimpleNamespace(name=name, default_value=value, is_linked=False, links=[], enabled=True)
-               for name, value in values.items()]
+    sockets = [types.SimpleNamespace(name=name, default_value=value, type="RGBA" if np.ndim(value) else "VALUE", is_linked=False,
+                                     links=[], enabled=True) for name, value in values.items()]
     return types.SimpleNamespace(type="BSDF_PRINCIPLED", inputs=sockets, subsurface_method=method, distribution=distribution)
 
 
@@ -60,8 +61,9 @@ common.check(look_of(principled("RANDOM_WALK", **{"Subsurface Weight": 1.0}))[0]
 common.check(look_of(principled("BURLEY", **{"Subsurface Weight": 1.0}))[0].radius_kind == subsurface.FIXED, "Burley keeps its radius")
 near(subsurface.mean_free_path(1, 0.5, subsurface.FIXED, 1.4), 1 / (4 * math.pi), "mean free path")
 
-_, said = look_of(principled(**{"Subsurface Weight": 0.5, "Coat Weight": 0.2, "Sheen Weight": 0.1, "Transmission Weight": 1.0}))
-for word in ("weight below 1", "clearcoat", "sheen", "transmission"):
+_, said = look_of(principled(**{"Subsurface Weight": 0.5, "Coat Weight": 0.2, "Sheen Weight": 0.1, "Transmission Weight": 1.0,
+                                "Diffuse Roughness": 0.4, "Thin Film Thickness": 300.0, "Specular Tint": (1, 0.5, 0.5, 1)}))
+for word in ("weight below 1", "clearcoat", "sheen", "transmission", "diffuse", "thin film", "tint"):
     common.check(any(word in sentence for sentence in said), f"nothing is said of {word}: {said}")
 
 metal = {"Metallic": 1.0, "Roughness": 0.7}

@@ -97,13 +97,17 @@ def _note_metal(node, notes, name, metallic, roughness):
 
 
 def _note_what_is_left(node, notes, name):
-    for what, *names in (("clearcoat", "Clearcoat", "Coat Weight"), ("sheen", "Sheen", "Sheen Weight")):
+    for what, *names in (("clearcoat", "Clearcoat", "Coat Weight"), ("sheen", "Sheen", "Sheen Weight"),
+                         ("the roughness of diffuse reflection", "Diffuse Roughness"), ("a thin film", "Thin Film Thickness")):
         if nodes.number(node, 0, *names) > 0:
             notes.add(f"{what} is not shown", name)
     if nodes.number(node, 0, "Transmission Weight", "Transmission") > 0:
         notes.add("transmission is not shown: what is clear is shown as opaque", name)
     if nodes.number(node, 0, "Anisotropic") > 0:
         notes.add("anisotropic reflection is not shown", name)
+    tint = nodes.socket(node, "Specular Tint")  # how much of it in 3.x, a colour in 4.x
+    if tint is not None and np.any(np.array(tint.default_value) != (0 if tint.type == "VALUE" else 1)):
+        notes.add("the tint of reflections is not shown", name)
 
 
 def _scattering(node, look, mm_per_unit, notes):
