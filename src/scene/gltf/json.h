@@ -31,7 +31,7 @@ std::optional<std::array<double, Count>> gltfNumbers(const tinygltf::Value& obje
   if (!list.IsArray() || list.ArrayLen() != Count) return std::nullopt;
   std::array<double, Count> result{};
   for (std::size_t i = 0; i < Count; ++i) {
-    const tinygltf::Value& entry = list.Get(static_cast<int>(i));
+    const tinygltf::Value& entry = list.Get<tinygltf::Value::Array>()[i];
     if (!entry.IsNumber()) return std::nullopt;
     result[i] = entry.GetNumberAsDouble();
   }
