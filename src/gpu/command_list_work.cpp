@@ -19,8 +19,10 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
 // integrated one does 3e9 rounds a second at worst.
 constexpr std::uint64_t mostRounds = std::uint64_t{1} << 31U;
 
+constexpr std::uint32_t sizeOfGroup = 64;
+
 void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds) {
-  const std::uint64_t ofRow = std::uint64_t{64} * groupsX * rounds;
+  const std::uint64_t ofRow = std::uint64_t{sizeOfGroup} * groupsX * rounds;
   const auto rows = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
       mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, std::max(groupsY, 1U)));
   assert(filling_ && !rendering_ && pipeline_ != nullptr);
@@ -34,11 +36,13 @@ void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std
 }
 
 void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
-  constexpr std::uint32_t groupSize = 64;
-  constexpr std::uint32_t most = 32768;  // groups; every device dispatches that many along an axis
-  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
+  dispatchGroups((count + sizeOfGroup - 1) / sizeOfGroup, rounds);
+}
+
+void CommandList::dispatchGroups(std::uint32_t groups, std::uint32_t rounds) {
+  constexpr std::uint32_t most = 32768;  // every device dispatches that many along an axis
   if (groups == 0) return;
-  const std::uint64_t atOnce = mostRounds / (std::uint64_t{groupSize} * rounds);
+  const std::uint64_t atOnce = mostRounds / (std::uint64_t{sizeOfGroup} * rounds);
   const auto row = static_cast<std::uint32_t>(
       std::clamp<std::uint64_t>(atOnce, (groups + most - 1) / most, most));
   const std::uint32_t rows = (groups + row - 1) / row;

@@ -48,6 +48,15 @@ struct DeviceOptions {
   std::span<const std::byte> pipelineCache;     ///< as Device::pipelineCache() returned it
 };
 
+/// Invocations of a work group that share what is to be done for one thing
+/// (shaders/lib/work_group.glsl). A software device executes the subgroups of a group one after the
+/// other, all of the shader for each, so that one is best. But Mesa's ends an invocation's loops
+/// after 65,535 rounds in all: what may take more than that of eight gets twice as many.
+struct WorkGroups {
+  std::uint32_t invocations = 64;
+  std::uint32_t invocationsOfLongWork = 64;
+};
+
 /// For AccelerationStructure: what the device has for it.
 struct RayFunctions {
   PFN_vkCreateAccelerationStructureKHR create = nullptr;
@@ -150,6 +159,8 @@ class Device {
   /// What spares later runs on the same device and driver most compilations.
   std::vector<std::byte> pipelineCache() const;
 
+  const WorkGroups& workGroups() const { return workGroups_; }
+
   /// Whether shaders may send rays through acceleration structures.
   bool hasRayQueries() const { return rays_.build != nullptr; }
   const RayFunctions& rays() const { return rays_; }
@@ -190,6 +201,7 @@ class Device {
   RetiredObjects retired_;
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memoryProperties_{};
+  WorkGroups workGroups_;
   std::size_t largestAllocationBytes_ = 0;
   std::size_t largestBufferBytes_ = 0;
   std::size_t memoryBytes_ = 0;

@@ -143,11 +143,20 @@ void Device::readProperties() {
   VkPhysicalDeviceMaintenance3Properties maintenance{};
   maintenance.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
   maintenance.pNext = &buffers;
+  VkPhysicalDeviceSubgroupProperties subgroups{};
+  subgroups.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+  buffers.pNext = &subgroups;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
   properties.pNext = &maintenance;
   ofInstance_.vkGetPhysicalDeviceProperties2(physical_, &properties);
   properties_ = properties.properties;
+  if (info_.type == DeviceType::Software) {
+    constexpr std::uint32_t least = 8;  // shared::maxClustersOfTile
+    constexpr std::uint32_t most = 64;
+    workGroups_ = {std::clamp(subgroups.subgroupSize, least, most),
+                   std::clamp(subgroups.subgroupSize, 2 * least, most)};
+  }
   largestBufferBytes_ = buffers.maxBufferSize;
   largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
   ofInstance_.vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);

@@ -20,18 +20,33 @@ namespace opaline::gpu {
 
 namespace {
 
-/// The values of constant_id 0, 1, 2, …; must outlive the pipeline's creation.
+// local_size_x_id in shaders/lib/work_group.glsl.
+constexpr std::uint32_t firstWorkGroupId = 16;
+
+/// The values of constant_id 0, 1, 2, … and the sizes of work groups that the device chooses; must
+/// outlive the pipeline's creation.
 class Specialization {
  public:
-  explicit Specialization(std::span<const std::byte> values) {
+  Specialization(const Device& device, std::span<const std::byte> values)
+      : values_(values.begin(), values.end()) {
     const auto count = static_cast<std::uint32_t>(values.size() / 4);
     for (std::uint32_t i = 0; i < count; ++i) entries_.push_back({i, i * 4, 4});
-    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size(),
-             values.data()};
+    const std::array<std::uint32_t, 2> groups{device.workGroups().invocations,
+                                              device.workGroups().invocationsOfLongWork};
+    const std::span<const std::byte> more = std::as_bytes(std::span(groups));
+    values_.insert(values_.end(), more.begin(), more.end());
+    for (std::uint32_t i = 0; i < groups.size(); ++i)
+      entries_.push_back({firstWorkGroupId + i, (count + i) * 4, 4});
+    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values_.size(),
+             values_.data()};
   }
+  ~Specialization() = default;
+  Specialization(const Specialization&) = delete;
+  Specialization& operator=(const Specialization&) = delete;
   const VkSpecializationInfo* info() const { return &info_; }
 
  private:
+  std::vector<std::byte> values_;
   std::vector<VkSpecializationMapEntry> entries_;
   VkSpecializationInfo info_{};
 };
@@ -121,7 +136,7 @@ VkPipelineColorBlendAttachmentState blendOf(Blend mode) {
 
 VkPipeline createCompute(const Device& device, const std::string& name, const Shader& shader,
                          std::span<const std::byte> constants, VkPipelineLayout layout) {
-  const Specialization specialization(constants);
+  const Specialization specialization(device, constants);
   const ShaderModule module(device, shader.words, name);
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
@@ -139,7 +154,7 @@ VkPipeline createCompute(const Device& device, const std::string& name, const Sh
 VkPipeline createGraphics(const Device& device, const std::string& name, const Shader& vertex,
                           const Shader& fragment, const GraphicsOptions& options,
                           std::span<const std::byte> constants, VkPipelineLayout layout) {
-  const Specialization specialization(constants);
+  const Specialization specialization(device, constants);
   const ShaderModule vertexModule(device, vertex.words, name);
   std::vector<VkPipelineShaderStageCreateInfo> stages{
       vertexModule.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};

@@ -40,7 +40,7 @@ void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bin
     const std::uint32_t first = tree.firstOfStage[stage];
     const std::uint32_t count = tree.firstOfStage[stage + 1] - first;
     bind(first, count);
-    commands.dispatchLinear(groupSize * trees * count);
+    commands.dispatchGroups(trees * count);
   }
 }
 

@@ -46,11 +46,6 @@ inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
 /// Invocations of a work group of shaders with lib/linear.glsl.
 constexpr std::uint32_t groupSize = 64;
 
-/// Of a dispatch with a work group for each tile (lib/cluster_tile.glsl).
-inline std::uint32_t invocationsOfTiles(const Clusters& clusters) {
-  return groupSize * clusters.tileCount;
-}
-
 /// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
 constexpr std::uint32_t roundsOfWalk = 1024;
 

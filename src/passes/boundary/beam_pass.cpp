@@ -184,7 +184,7 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipel
                  .firstTree = scattersOnce ? beams.lights : 0,
                  .nodeCount = clusters.tree.nodeCount,
                  .groupCount = clusters.groupCount});
-  commands.dispatchLinear(invocationsOfTiles(clusters),
+  commands.dispatchGroups(clusters.tileCount,
                           beams.lights * shared::maxPoints * (room / groupSize + 1));
 }
 
@@ -207,8 +207,7 @@ void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, c
                  .room = room,
                  .firstNode = firstNode,
                  .endNode = firstNode + room});
-  commands.dispatchLinear(groupSize * trees * clusters.groupCount,
-                          2 * (room / groupSize + roundsOfWalk));
+  commands.dispatchGroups(trees * clusters.groupCount, 2 * (room / groupSize + roundsOfWalk));
 }
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
@@ -232,7 +231,7 @@ void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Cluster
                    .nodeCount = clusters.tree.nodeCount});
   };
   bind(leaves_, 0, clusters.count);
-  commands.dispatchLinear(trees * clusters.count);
+  commands.dispatchGroups(shared::groupsOfNodes(trees * clusters.count));
   fitInnerNodes(
       commands, clusters.tree,
       [&](std::uint32_t firstTreelet, std::uint32_t count) { bind(nodes_, firstTreelet, count); },

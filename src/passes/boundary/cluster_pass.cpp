@@ -280,7 +280,7 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
                  .clusters = clusters.clusters,
                  .lists = clusters.lists},
                 {.tileCount = clusters.tileCount, .openingAngle = inputs.openingAngle});
-  commands.dispatchLinear(invocationsOfTiles(clusters), roundsOfWalk);
+  commands.dispatchGroups(clusters.tileCount, roundsOfWalk);
 }
 
 void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,

@@ -24,7 +24,7 @@ void OccludedSkyPass::record(gpu::CommandList& commands, SceneTables& tables, Sk
                  .sources = surfels.sources,
                  .sharesOfSurfels = surfels.skyShares},
                 {.clusterCount = clusters.count});
-  commands.dispatchLinear(groupSize * clusters.count, roundsOfWalk);
+  commands.dispatchGroups(clusters.count, roundsOfWalk);
   commands.endPass();
 }
 

@@ -13,12 +13,8 @@ namespace opaline::passes {
 
 namespace {
 
-std::uint32_t groupsOf(std::uint32_t invocations) {
-  return (invocations + groupSize - 1) / groupSize;
-}
-
 std::uint32_t densityGroups(const Clusters& clusters) {
-  return groupsOf(clusters.count + clusters.smallInnerCount) + clusters.innerCount -
+  return shared::groupsOfNodes(clusters.count + clusters.smallInnerCount) + clusters.innerCount -
          clusters.smallInnerCount;
 }
 
@@ -48,7 +44,8 @@ SolverPass::Pipelines SolverPass::makePipelines(gpu::Device& device, bool withPa
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
-  const std::size_t nodes = clusters.tree.nodeCount;
+  // There are no more vectors than that in the basis when densities are found.
+  const std::size_t nodes = std::size_t{clusters.tree.nodeCount} * shared::maxSolverSteps;
   const std::size_t count = clusters.count;
   Solver solver;
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
@@ -134,10 +131,11 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
                 {.clusterCount = clusters.count,
                  .smallCount = clusters.smallInnerCount,
                  .innerCount = clusters.innerCount,
+                 .nodeCount = clusters.tree.nodeCount,
                  .solution = order.solution,
                  .ofEntered = of == Of::Entered});
   if (of == Of::Entered) {
-    commands.dispatchLinear(groupSize * densityGroups(clusters));
+    commands.dispatchGroups(densityGroups(clusters));
   } else {
     commands.use(solver.states, gpu::Access::Indirect);
     commands.dispatchIndirect(solver.states,
@@ -174,12 +172,13 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .step = step,
                  .solution = order.solution,
                  .atSurface = atSurface,
+                 .nodeCount = clusters.tree.nodeCount,
                  .densityGroups = densityGroups(clusters)});
   if (step > 0)
     commands.dispatchIndirect(solver.states,
                               inState(order, offsetof(shared::SolverState, groupsOfProduct)));
   else
-    commands.dispatchLinear(invocationsOfTiles(clusters), atSurface ? roundsOfWalk : 1);
+    commands.dispatchGroups(clusters.tileCount, atSurface ? roundsOfWalk : 1);
 }
 
 }  // namespace opaline::passes

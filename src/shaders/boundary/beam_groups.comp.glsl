@@ -10,7 +10,7 @@
 #include "lib/boundary.glsl"
 #include "lib/beam_node.glsl"
 #include "lib/group_place.glsl"
-#include "lib/linear.glsl"
+#include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Groups { ClusterGroup groups[]; };
 layout(set = 0, binding = 4) uniform samplerBuffer clusterTexels;  // Cluster
@@ -83,7 +83,7 @@ uint nextActing(inout uint at) {
 }
 
 void main() {
-  uint index = linearIndex() / gl_WorkGroupSize.x;
+  uint index = groupIndex();
   uint tree = index / groupCount;
   if (tree >= trees) return;
   bool scattersOnce = tree >= lights;

@@ -169,16 +169,19 @@ void fitNode(uint node, uint link) {
   put(node, centroids, sqrt(felt2 / all), squares, square / all, power);
 }
 
-void main() {
-  uint i = linearIndex();
-  if (ofLeaves == 0u) i /= gl_WorkGroupSize.x;
-  uint tree = i / count;
-  if (tree >= trees) return;
+bool enterTree(uint tree) {
   scattersOnce = tree / lights;
   light = tree % lights;
   root = tree * nodeCount;
-  if (ofLeaves == 0u)
-    fitTreelet(firstTreelet + i % count);
-  else
-    gatherLeaf(i % count);
+  return tree < trees;
+}
+
+void main() {
+  if (ofLeaves == 0u) {
+    if (enterTree(groupIndex() / count)) fitTreelet(firstTreelet + groupIndex() % count);
+    return;
+  }
+  uint first = groupIndex() * nodesOfGroup;
+  for (uint i = first + gl_LocalInvocationIndex; i < first + nodesOfGroup; i += gl_WorkGroupSize.x)
+    if (enterTree(i / count)) gatherLeaf(i % count);
 }

@@ -1,6 +1,7 @@
 // The next vector of the solver's basis, from the last product, and as a fluence at the clusters its
-// densities on their nodes; or those of the fluence at which as much leaves as has entered. Each node has them from the clusters below it, so that none waits for
-// another. An invocation has a leaf or a node of few clusters, a work group one of many.
+// densities on their nodes; or those of the fluence at which as much leaves as has entered. Each node has
+// them from the clusters below it, so that none waits for another. A work group has some leaves and nodes of
+// few clusters, or one of many.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -11,16 +12,16 @@
 #define BINDING_CLUSTER_PAINTS 11
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
-#include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
 #include "lib/painted_cluster.glsl"
+#include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
 layout(set = 0, binding = 6) uniform samplerBuffer products;
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
-layout(std430, set = 0, binding = 8) writeonly buffer Nodes { DensityNode nodes[]; };
+layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // of each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Entered { vec4 entered[]; };
 
@@ -28,6 +29,7 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint smallCount;  // of inner nodes, those of few clusters
   uint innerCount;
+  uint nodeCount;
   uint solution;
   uint ofEntered;  // 1: of the light that has entered at the surface, for its double layer alone
 };
@@ -38,12 +40,15 @@ vec3 enteredFluence(uint cluster) {
   return fluenceEntered(cluster, entered[cluster].rgb, thicknessMm, medium);
 }
 
-// What is left of the last product without its parts along the vectors of the basis so far. Those are
-// as many as there were steps, and are not written here.
+// Of the vectors of the basis there are as many as there were steps.
+uint vectorCount() {
+  return ofEntered != 0u ? 0u : states[solution].steps;
+}
+
+// What is left of the last product without its parts along the vectors of the basis so far.
 vec3 nextVector(uint cluster) {
-  if (ofEntered != 0u) return enteredFluence(cluster);
   vec3 vector = texelFetch(products, int(cluster)).rgb;
-  uint steps = states[solution].steps;
+  uint steps = vectorCount();
   for (uint k = 0u; k < steps; ++k)
     vector -= states[solution].projections[k].rgb * basis[k * clusterCount + cluster].rgb;
   return overOr0(vector, states[solution].projections[steps].rgb);
@@ -64,14 +69,28 @@ void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 wei
   sum.blue += fluence.b * vec4(vectorArea + weightS.b * areas.b * arm, areas.b);
 }
 
-// Of the clusters below, every `stride`-th from the `start`-th on.
+// Of the last product, or of what has entered, at the clusters below: every `stride`-th from the `start`-th on.
 DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   vec3 weightS = ofEntered != 0u ? vec3(0.0) : singleLayerWeight(insideOf(objects[inner.object]));
   vec3 place = centroidLinkOf(inner.node).xyz;
   DensityNode sum = noDensity();
   for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride)
-    add(sum, i, nextVector(i), place, weightS);
+    add(sum, i, ofEntered != 0u ? enteredFluence(i) : texelFetch(products, int(i)).rgb, place, weightS);
   return sum;
+}
+
+// The same combination of the last product's and of those of the vectors so far as the next vector is.
+void putInner(uint node, DensityNode sum) {
+  uint steps = vectorCount();
+  for (uint k = 0u; k < steps; ++k) {
+    vec3 projection = states[solution].projections[k].rgb;
+    DensityNode before = nodes[k * nodeCount + node];
+    sum.red -= projection.r * before.red;
+    sum.green -= projection.g * before.green;
+    sum.blue -= projection.b * before.blue;
+  }
+  vec3 scale = ofEntered != 0u ? vec3(1.0) : overOr0(vec3(1.0), states[solution].projections[steps].rgb);
+  nodes[steps * nodeCount + node] = DensityNode(scale.r * sum.red, scale.g * sum.green, scale.b * sum.blue);
 }
 
 shared DensityNode ofSubgroup[gl_WorkGroupSize.x];
@@ -87,23 +106,33 @@ void putLarge(InnerNode inner) {
     sum.green += ofSubgroup[g].green;
     sum.blue += ofSubgroup[g].blue;
   }
-  nodes[inner.node] = sum;
+  putInner(inner.node, sum);
 }
 
 void putLeaf(uint cluster) {
-  vec3 fluence = nextVector(cluster);
-  if (ofEntered == 0u) basis[states[solution].steps * clusterCount + cluster] = vec4(fluence, 0.0);
+  vec3 fluence = ofEntered != 0u ? enteredFluence(cluster) : nextVector(cluster);
+  if (ofEntered == 0u) basis[vectorCount() * clusterCount + cluster] = vec4(fluence, 0.0);
   DensityNode sum = noDensity();
   add(sum, cluster, fluence, vec3(0.0), vec3(0.0));
-  nodes[ranges[cluster].node] = sum;
+  nodes[vectorCount() * nodeCount + ranges[cluster].node] = sum;
+}
+
+void putSmall(InnerNode inner) {
+  putInner(inner.node, densityOf(inner, 0u, 1u));
 }
 
 void main() {
-  uint i = linearIndex();
   uint alone = clusterCount + smallCount;
-  uint groupsAlone = (alone + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;
-  uint large = smallCount + i / gl_WorkGroupSize.x - groupsAlone;
-  if (i < clusterCount) putLeaf(i);
-  else if (i < alone) nodes[innerNodes[i - clusterCount].node] = densityOf(innerNodes[i - clusterCount], 0u, 1u);
-  else if (i / gl_WorkGroupSize.x >= groupsAlone && large < innerCount) putLarge(innerNodes[large]);
+  uint groupsAlone = groupsOfNodes(alone);
+  if (groupIndex() >= groupsAlone) {
+    uint large = smallCount + groupIndex() - groupsAlone;
+    if (large < innerCount) putLarge(innerNodes[large]);
+    return;
+  }
+  uint first = groupIndex() * nodesOfGroup;
+  uint end = min(first + nodesOfGroup, alone);
+  for (uint i = first + gl_LocalInvocationIndex; i < end; i += gl_WorkGroupSize.x) {
+    if (i < clusterCount) putLeaf(i);
+    else putSmall(innerNodes[i - clusterCount]);
+  }
 }

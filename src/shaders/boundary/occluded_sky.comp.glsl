@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#define LONG_WORK
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_NODES 2
@@ -12,9 +13,9 @@
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_weight.glsl"
 #include "lib/group_place.glsl"
-#include "lib/linear.glsl"
 #include "lib/sky.glsl"
 #include "lib/source_flux.glsl"
+#include "lib/work_group.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -31,6 +32,7 @@ layout(push_constant) uniform Push {
 
 // Where more are felt, those that come last in the tree are not.
 const uint mostFelt = 128u;
+const uint firstFelt = 4u;  // that an invocation keeps
 struct Felt {
   vec4 placeReach;
   vec4 normalEdge;
@@ -67,13 +69,24 @@ uint findFelt(ObjectData body, vec3 place, float radius) {
   uint i = gl_LocalInvocationIndex;
   sliceBegin = body.clusters.x + nodes * i / gl_WorkGroupSize.x;
   sliceEnd = body.clusters.x + nodes * (i + 1u) / gl_WorkGroupSize.x;
+  // Most find few, and need not walk again to put them.
+  uint first[firstFelt];
   uint count = 0u;
   uint at = body.clusters.x;
-  while (nextFelt(at, place, radius) != noCluster) ++count;
+  uint afterFirst = at;
+  for (uint found = nextFelt(at, place, radius); found != noCluster; found = nextFelt(at, place, radius)) {
+    if (count < firstFelt) {
+      first[count] = found;
+      afterFirst = at;
+    }
+    ++count;
+  }
   uint all;
-  uint next = groupPlaceFor(count, all);
-  at = body.clusters.x;
-  for (; count > 0u && next < mostFelt; --count) putFelt(next++, nextFelt(at, place, radius));
+  uint begin = groupPlaceFor(count, all);
+  uint end = min(begin + count, mostFelt);
+  for (uint k = 0u; k < firstFelt; ++k)
+    if (begin + k < end) putFelt(begin + k, first[k]);
+  for (uint next = begin + firstFelt; next < end; ++next) putFelt(next, nextFelt(afterFirst, place, radius));
   barrier();
   return min(all, mostFelt);
 }
@@ -94,7 +107,7 @@ vec3 shareAt(vec3 place, vec3 normal, uint count, uint own) {
 }
 
 void main() {
-  uint cluster = linearIndex() / gl_WorkGroupSize.x;
+  uint cluster = groupIndex();
   if (cluster >= clusterCount) return;
   ClusterRange range = ranges[cluster];
   if (range.side < 0.0) return;  // surfels are of the front

@@ -21,7 +21,7 @@
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Lists { uint lists[]; };
-layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode
+layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode, of each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[]; };
@@ -37,6 +37,7 @@ layout(push_constant) uniform Push {
   uint step;
   uint solution;
   uint atSurface;      // 1: light has entered there
+  uint nodeCount;
   uint densityGroups;  // of the dispatch before the next product
 };
 
@@ -68,9 +69,10 @@ ActingNode actingNode(uint at) {
   vec4 centroidLink = centroidLinkOf(at);
   vec4 spread = spreadOf(at);
   uint link = floatBitsToUint(centroidLink.w);
-  vec4 red = texelFetch(densities, 3 * int(at));
-  vec4 green = texelFetch(densities, 3 * int(at) + 1);
-  vec4 blue = texelFetch(densities, 3 * int(at) + 2);
+  int first = 3 * int((max(step, 1u) - 1u) * nodeCount + at);
+  vec4 red = texelFetch(densities, first);
+  vec4 green = texelFetch(densities, first + 1);
+  vec4 blue = texelFetch(densities, first + 2);
   vec3 density = vec3(red.w, green.w, blue.w);
   vec3 mean = isLeaf(link) ? vec3(0.0) : density / max(spread.w, 1e-30);
   vec3 second = 1.0 + medium.sigma.rgb * medium.sigma.rgb * (spread.y / 6.0);

@@ -5,7 +5,6 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/linear.glsl"
 #include "lib/beam_tile.glsl"
 
 // e^{-σr} / r at a squared distance.

@@ -2,6 +2,7 @@
 // node is to the tile.
 #ifndef OPALINE_LIB_BEAM_TILE
 #define OPALINE_LIB_BEAM_TILE
+#define LONG_WORK
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_POINTS 2
@@ -88,7 +89,8 @@ uint kindOf(uint entry, Around around, float sigma) {
 }
 
 // The list is sorted by kinds in parts.
-const uint entriesAtOnce = 4u;  // of an invocation
+// Of an invocation, which has two bits for each.
+const uint entriesAtOnce = 256u / invocationsOfTile;
 const uint sizeOfPart = entriesAtOnce * invocationsOfTile;
 shared uint sorted[sizeOfPart];
 

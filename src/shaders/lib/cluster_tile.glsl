@@ -4,7 +4,7 @@
 #ifndef OPALINE_LIB_CLUSTER_TILE
 #define OPALINE_LIB_CLUSTER_TILE
 #include "lib/boundary.glsl"
-#include "lib/linear.glsl"
+#include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = BINDING_TILES) readonly buffer Tiles { ClusterTile tiles[]; };
 layout(set = 0, binding = BINDING_TILES + 1) uniform samplerBuffer clusterTexels;  // Cluster
@@ -24,7 +24,7 @@ uint sliceEnd;
 
 // False where there is no such tile, for all of the work group.
 bool enterTile(uint tileCount) {
-  tileIndex = linearIndex() / invocationsOfTile;
+  tileIndex = groupIndex();
   if (tileIndex >= tileCount) return false;
   tile = tiles[tileIndex];
   body = objects[tile.object];

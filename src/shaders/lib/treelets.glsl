@@ -3,8 +3,8 @@
 // and fitNode() after it; what nodes are written to has to be coherent.
 #ifndef OPALINE_LIB_TREELETS
 #define OPALINE_LIB_TREELETS
-#include "lib/linear.glsl"
 #include "lib/tree_node.glsl"
+#include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = BINDING_TREELETS) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = BINDING_TREELETS + 1) readonly buffer TreeletNodes {
@@ -31,7 +31,7 @@ void fitTreelet(uint treelet) {
 }
 
 void fitTreelets(uint first, uint count) {
-  uint i = linearIndex() / gl_WorkGroupSize.x;
+  uint i = groupIndex();
   if (i < count) fitTreelet(first + i);
 }
 

@@ -167,6 +167,11 @@ struct InnerNode {
   uint object;
 };
 OPALINE_BOUNDARY_CONSTANT fewClusters = 32u;
+/// Leaves, and inner nodes of few clusters, that a work group has.
+OPALINE_BOUNDARY_CONSTANT nodesOfGroup = 64u;
+OPALINE_BOUNDARY_INLINE uint groupsOfNodes(uint nodes) {
+  return (nodes + nodesOfGroup - 1u) / nodesOfGroup;
+}
 
 /// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ
 /// from the node's centroid; Σ a φ.

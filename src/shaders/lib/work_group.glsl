@@ -1,0 +1,17 @@
+// A work group for each element of a list, whose invocations share what is to be done for it; see
+// CommandList::dispatchGroups. The device says how many they are (gpu::WorkGroups). With LONG_WORK defined
+// they are enough for loops of half a million rounds in all.
+#ifndef OPALINE_LIB_WORK_GROUP
+#define OPALINE_LIB_WORK_GROUP
+
+#ifdef LONG_WORK
+layout(local_size_x = 64, local_size_x_id = 17) in;
+#else
+layout(local_size_x = 64, local_size_x_id = 16) in;
+#endif
+
+uint groupIndex() {
+  return gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
+}
+
+#endif
