@@ -1,15 +1,12 @@
 #include "scene/mesh/triangulate.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "scene/hash.h"
 
 namespace opaline::scene {
 
 namespace {
-
-using Double2 = std::array<double, 2>;
 
 constexpr std::size_t mostSteps = 300'000'000;
 
@@ -23,10 +20,6 @@ Double3 polygonNormal(const RawMesh& mesh, std::span<const std::uint32_t> corner
     normal = normal + cross(a, b);
   }
   return normal;
-}
-
-double turn(const Double2& a, const Double2& b, const Double2& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 /// Drops the axis along which the polygon's normal is longest; keeps its turn.
@@ -49,11 +42,6 @@ bool isConvex(std::span<const Double2> p) {
   return true;
 }
 
-bool contains(const Double2& a, const Double2& b, const Double2& c, const Double2& p) {
-  if (p == a || p == b || p == c) return false;
-  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-}
-
 void addFan(RawMesh& mesh, std::span<const std::uint32_t> corners) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
@@ -63,39 +51,13 @@ void addFan(RawMesh& mesh, std::span<const std::uint32_t> corners) {
 }  // namespace
 
 bool Triangulator::clipEars(RawMesh& mesh, std::span<const std::uint32_t> corners) {
-  ring_.resize(corners.size());
-  std::iota(ring_.begin(), ring_.end(), std::uint32_t{0});
   const std::size_t before = mesh.triangles.size();
-  std::size_t at = 0;
-  std::size_t failures = 0;
-  while (ring_.size() > 3) {
-    const std::size_t n = ring_.size();
-    at %= n;
-    const std::uint32_t a = ring_[(at + n - 1) % n];
-    const std::uint32_t b = ring_[at];
-    const std::uint32_t c = ring_[(at + 1) % n];
-    bool ear = turn(flat_[a], flat_[b], flat_[c]) > 0;
-    for (std::size_t i = 0; ear && i < n; ++i) {
-      ++steps_;
-      const std::uint32_t p = ring_[i];
-      if (p != a && p != b && p != c) ear = !contains(flat_[a], flat_[b], flat_[c], flat_[p]);
-    }
-    ++steps_;
-    if (ear) {
-      mesh.triangles.push_back({corners[a], corners[b], corners[c]});
-      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(at));
-      steps_ += n / 8;
-      failures = 0;
-    } else {
-      ++at;
-      if (++failures > n || steps_ > mostSteps) {
-        mesh.triangles.resize(before);
-        return false;
-      }
-    }
-  }
-  mesh.triangles.push_back({corners[ring_[0]], corners[ring_[1]], corners[ring_[2]]});
-  return true;
+  const bool whole =
+      ears_.clip(flat_, mostSteps, steps_, [&](const std::array<std::uint32_t, 3>& ear) {
+        mesh.triangles.push_back({corners[ear[0]], corners[ear[1]], corners[ear[2]]});
+      });
+  if (!whole) mesh.triangles.resize(before);
+  return whole;
 }
 
 void Triangulator::add(RawMesh& mesh, std::span<const std::uint32_t> corners) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/mesh/ears.h"
 #include "scene/raw_scene.h"
 #include "scene/vector_math.h"
 
@@ -21,8 +22,8 @@ class Triangulator {
   bool clipEars(RawMesh& mesh, std::span<const std::uint32_t> corners);
 
   std::size_t steps_ = 0;
-  std::vector<std::array<double, 2>> flat_;
-  std::vector<std::uint32_t> ring_;
+  std::vector<Double2> flat_;
+  Ears ears_;
 };
 
 }  // namespace opaline::scene
