@@ -95,6 +95,7 @@ class Packer {
       double longestSide = 0;
       boxes_.push_back(smallestBox(outline, longestSide));
       area_ += outline.area;
+      longestSides_.push_back(longestSide);
       sizes_.push_back(order == Order::Area ? outline.area : longestSide);
     }
     const std::size_t count = outlines.size();
@@ -112,7 +113,7 @@ class Packer {
       if (works < 1e-9) return std::nullopt;
       result = at(works, order);
     }
-    while (fails - works > coveragePrecision && fails / works > 1.01 && !hasWorkedEnough()) {
+    while (fails - works > coveragePrecision && fails / works > 1.01 && hasWorkLeft()) {
       const double middle = (works + fails) / 2;
       if (auto layout = at(middle, order)) {
         result = std::move(layout);
@@ -162,6 +163,9 @@ class Packer {
   /// A layout whose charts cover that part of the square, if they find room in that order.
   std::optional<Layout> at(double coverage, const std::vector<std::size_t>& order) {
     const double cellsPerMm = cells_ * std::sqrt(coverage / area_);
+    if (leastCells(cellsPerMm) > (cells_ + gutter_) * static_cast<double>(cells_ + gutter_))
+      return std::nullopt;
+    workBefore_ = work_;
     Bitmap bitmap(cells_);
     Layout layout;
     layout.scale = cellsPerMm / cells_;
@@ -179,10 +183,29 @@ class Packer {
     return layout;
   }
 
+  /// How many cells the charts take at least, wherever they lie: with `gutter_` cells above and to
+  /// the right of each of its own, no chart shares any with another.
+  double leastCells(double cellsPerMm) const {
+    const double upright = turns_ == 1 ? 1 : std::numbers::sqrt2 / 2;
+    double sum = 0;
+    for (std::size_t chart = 0; chart < outlines_.size(); ++chart) {
+      const double length = cellsPerMm * longestSides_[chart];
+      const double inside = cellsPerMm * cellsPerMm * outlines_[chart].area;
+      sum += std::max(inside + gutter_ * (length + gutter_),
+                      (std::max(1.0, upright * length) + gutter_) * (1 + gutter_));
+    }
+    return sum;
+  }
+
   /// For tiny charts, by height: no room was left below.
   using LowestRows = std::vector<int>;
 
   bool hasWorkedEnough() const { return work_ > enoughWork; }
+
+  /// For another layout. Those of thousands of charts are not cut short, so they count ahead.
+  bool hasWorkLeft() const {
+    return turns_ == 1 ? 2 * work_ - workBefore_ <= enoughWork : !hasWorkedEnough();
+  }
 
   std::optional<Candidate> place(const Bitmap& bitmap, std::size_t chart, double cellsPerMm,
                                  LowestRows& lowest) {
@@ -225,7 +248,9 @@ class Packer {
   int turns_;
   double area_ = 0;
   std::size_t work_ = 0;
+  std::size_t workBefore_ = 0;  // the last layout was tried
   std::vector<Turn> boxes_;
+  std::vector<double> longestSides_;  // mm, of those boxes
   std::vector<double> sizes_;
 };
 
