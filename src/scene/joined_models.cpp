@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
-#include <set>
-#include <string>
+#include <memory>
+#include <string_view>
 #include <utility>
 
 #include "scene/not_shown.h"
@@ -13,18 +14,6 @@
 namespace opaline::scene {
 
 namespace {
-
-/// Objects of one name in one model stay so: they are meant together.
-void giveOwnNames(RawScene& model, const RawScene& scene) {
-  std::set<std::string> taken;
-  for (const RawObject& object : scene.objects) taken.insert(object.name);
-  for (RawObject& object : model.objects) {
-    const std::string own = object.name;
-    for (int number = 2; taken.contains(object.name); ++number) {
-      object.name = fmt::format("{} {}", own, number);
-    }
-  }
-}
 
 void moveNodes(RawScene& model, std::uint32_t first) {
   for (Node& node : model.nodes) {
@@ -94,20 +83,41 @@ void joinLights(RawScene& scene, RawScene& model) {
 
 }  // namespace
 
-void join(RawScene& scene, RawScene&& model) {
-  giveOwnNames(model, scene);
-  moveNodes(model, static_cast<std::uint32_t>(scene.nodes.size()));
-  joinClips(scene, model);
-  append(scene.objects, std::move(model.objects));
-  append(scene.nodes, std::move(model.nodes));
-  joinLights(scene, model);
-  if (!scene.camera) {
-    scene.camera = model.camera;
-    scene.cameraChosen = model.cameraChosen;
+/// Objects of one name in one model stay so: they are meant together.
+void JoinedModels::giveOwnNames(RawScene& model) {
+  for (RawObject& object : model.objects) {
+    const std::string own = object.name;
+    if (!names_.contains(own)) continue;
+    int& number = numbers_.try_emplace(own, 2).first->second;
+    const auto numbered = [&] { return fmt::format("{} {}", own, number); };
+    while (names_.contains(numbered())) ++number;
+    object.name = numbered();
   }
-  addNotShown(scene.notShown, model.notShown);
-  scene.hasMediaPerMetre = scene.hasMediaPerMetre || model.hasMediaPerMetre;
-  scene.mmPerUnit = 1.0;
+  for (const RawObject& object : model.objects) names_.insert(object.name);
+}
+
+void JoinedModels::add(RawScene&& model) {
+  giveOwnNames(model);
+  moveNodes(model, static_cast<std::uint32_t>(scene_.nodes.size()));
+  joinClips(scene_, model);
+  append(scene_.objects, std::move(model.objects));
+  append(scene_.nodes, std::move(model.nodes));
+  joinLights(scene_, model);
+  if (!scene_.camera) {
+    scene_.camera = model.camera;
+    scene_.cameraChosen = model.cameraChosen;
+  }
+  addNotShown(scene_.notShown, model.notShown);
+  scene_.hasMediaPerMetre = scene_.hasMediaPerMetre || model.hasMediaPerMetre;
+  scene_.mmPerUnit = 1.0;
+}
+
+LogCallback eachOnce(const LogCallback& log) {
+  if (!log) return {};
+  return [log, said = std::make_shared<std::set<std::string, std::less<>>>()](
+             LogLevel level, std::string_view note) {
+    if (said->emplace(note).second) log(level, note);
+  };
 }
 
 }  // namespace opaline::scene

@@ -96,6 +96,7 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                                  scene::cleanText(options.morphTo->string(), 1000)));
   }
   scene::RawScene all;
+  scene::JoinedModels joined(all);
   SceneSource source;
   source.colorModel = options.colorModel;
   std::vector<Repair> repairs;
@@ -114,7 +115,7 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                              file, !options.diagonalMm, options.log, repairs);
     diagonalsMm.push_back(scene::diagonalOf(scene::boundsOf(model)));
     source.models.push_back({file, {}, {}, {}});
-    scene::join(all, std::move(model));
+    joined.add(std::move(model));
   }
   if (options.diagonalMm) {
     scene::rescale(source, double{*options.diagonalMm} / scene::diagonalOf(scene::boundsOf(all)),

@@ -94,6 +94,21 @@ translation_mm = [100, 0, 5]
 }
 
 // glTF is in metres; an OBJ without a size of its own gets 50 mm.
+TEST_F(Joined, ManyOfOneNameAreNumberedAndTheirNotesSaidOnce) {
+  std::string text = "[[models]]\nfile = 'cube.obj'\n";
+  for (int i = 0; i < 3; ++i) text += "[[models]]\nfile = 'cube.obj'\ntranslation_mm = [9, 0, 0]\n";
+  test::writeBytes(folder / "scene.toml", text);
+  std::vector<std::string> notes;
+  LoadOptions options;
+  options.log = [&](LogLevel, std::string_view note) { notes.emplace_back(note); };
+  const Scene scene = loadScene(folder / "scene.toml", options);
+  ASSERT_EQ(scene.objects.size(), 4U);
+  const std::string first = scene.objects[0].name;
+  for (std::size_t i = 1; i < 4; ++i)
+    EXPECT_EQ(scene.objects[i].name, first + " " + std::to_string(i + 1));
+  EXPECT_EQ(notes.size(), 1U) << testing::PrintToString(notes);
+}
+
 TEST_F(Joined, FilesOfTheCommandLineKeepTheirUnits) {
   const LoadedScene loaded = loadSceneFiles({folder / "walker.glb", folder / "cube.obj"});
   ASSERT_EQ(loaded.scene.objects.size(), 2U);

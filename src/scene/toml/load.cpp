@@ -209,6 +209,7 @@ void loadModels(const TomlTable& root, Assembly& to) {
     throw UsageError(
         "LoadOptions::morphTo is for a scene of one model; in [[models]] each has its morph_to");
   }
+  JoinedModels joined(to.scene);
   for (const TomlTable& table : tables) {
     table.requireKeys(keys::model);
     RawScene model = loadModelOf(table, "file", tables.size() == 1, to);
@@ -218,7 +219,7 @@ void loadModels(const TomlTable& root, Assembly& to) {
     ModelSource& source = to.source.models.back();
     source.placement = readPlacement(table);
     if (source.placement) place(model, *source.placement, table);
-    join(to.scene, std::move(model));
+    joined.add(std::move(model));
   }
   if (tables.size() > 1) to.builtInDistanceDiagonals.reset();
 }
@@ -436,7 +437,9 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   root.requireKeys(keys::root);
   LoadedScene loaded;
   loaded.settings = readSettings(root, options.log);
-  Assembly assembly{file, options};
+  LoadOptions quieter = options;
+  quieter.log = eachOnce(options.log);
+  Assembly assembly{file, quieter};
   assembly.source.sceneFile = file;
   readColorModel(root, assembly);
   readMedia(root, assembly);
