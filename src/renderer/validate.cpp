@@ -108,11 +108,11 @@ void validate(const Scene& scene) {
     triangles += object.mesh.triangles.size();
   }
   if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
-  if (const double diagonal = diagonalMm(scene); !(diagonal <= scene::longestDiagonalMm))
+  if (const double diagonal = diagonalMm(scene);
+      !(diagonal >= scene::shortestDiagonalMm && diagonal <= scene::longestDiagonalMm))
     throw Error(
-        fmt::format("scene '{}' has a diagonal of {:.3g} mm, but {:.3g} mm is the longest "
-                    "there may be",
-                    scene.name, diagonal, scene::longestDiagonalMm));
+        fmt::format("scene '{}' has a diagonal of {:.3g} mm, but must have {:.3g} to {:.3g} mm",
+                    scene.name, diagonal, scene::shortestDiagonalMm, scene::longestDiagonalMm));
   if (triangles > shared::maxTriangles)
     throw Error(fmt::format("scene '{}' has {} triangles, but {} are the most there may be",
                             scene.name, triangles, shared::maxTriangles));

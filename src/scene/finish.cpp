@@ -216,11 +216,12 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
                        name, factor, factor < 1 ? "more" : "less"));
     scaleBy(raw, factor, name);
   }
-  if (const double diagonal = diagonalOf(boundsOf(raw)); diagonal > longestDiagonalMm)
-    throw Error(
-        fmt::format("{}: its diagonal is {:.3g} mm, but {:.3g} mm is the longest there may be "
-                    "(LoadOptions::diagonalMm sets another)",
-                    cleanText(file.string(), 1000), diagonal, longestDiagonalMm));
+  if (const double diagonal = diagonalOf(boundsOf(raw));
+      diagonal < shortestDiagonalMm || diagonal > longestDiagonalMm)
+    throw Error(fmt::format(
+        "{}: its diagonal is {:.3g} mm, but must be from {:.3g} to {:.3g} mm "
+        "(LoadOptions::diagonalMm sets another)",
+        cleanText(file.string(), 1000), diagonal, shortestDiagonalMm, longestDiagonalMm));
   Scene scene;
   scene.name = cleanText(file.stem().string());
   scene.repairs = std::move(repairs);

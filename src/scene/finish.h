@@ -23,7 +23,9 @@ Bounds boundsOf(const RawScene& raw);
 double diagonalOf(const Bounds& bounds);
 Double3 exactMiddleOf(const Bounds& bounds);
 
-/// Of a scene. Beyond a few times that, products of areas leave the range of a float.
+/// Of a scene. Beyond a few times that, products of areas leave the range of a float, and a
+/// hundredth of the shortest comes out empty.
+constexpr double shortestDiagonalMm = 1e-7;
 constexpr double longestDiagonalMm = 1e9;
 
 /// Applies options and defaults to a scene in millimetres.

@@ -1,5 +1,6 @@
 // Files that lie: each is an error that names it, and none takes memory on a header's word.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +38,16 @@ TEST_F(Gltf, GraphsThatAreNoTreesAreErrors) {
   EXPECT_THAT(errorOf(parts), HasSubstr("scene 9"));
   parts.scene = R"("scenes":[{"nodes":[]}],)";
   EXPECT_THAT(errorOf(parts), HasSubstr("no triangle mesh"));
+}
+
+TEST_F(Gltf, ScenesTooSmallOrTooLargeForTheirNumbersAreErrors) {
+  Parts parts;
+  for (const char* scale : {"1e-12", "1e-30", "1e9"}) {
+    parts.nodes = fmt::format(R"({{"mesh":0,"scale":[{0},{0},{0}]}})", scale);
+    EXPECT_THAT(errorOf(parts), HasSubstr("its diagonal is")) << scale;
+  }
+  parts.nodes = R"({"mesh":0,"scale":[1e-8,1e-8,1e-8]})";
+  EXPECT_EQ(load(parts).objects.size(), 1U);
 }
 
 std::string withAccessor0(const std::string& accessor) {
