@@ -4,37 +4,111 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "arguments.h"
 #include "growth.h"
+#include "opaline/error.h"
 
 namespace opaline::bench {
 
 namespace {
 
 constexpr std::uint32_t small = 1U << 14U;
-constexpr std::uint32_t factor = 4;
-/// What is as quick as this at the larger size shows nothing by its exponent.
+constexpr int doublings = 4;
+/// What is as quick as this at the largest size shows nothing by its exponent.
 constexpr double noticeableSeconds = 0.2;
 
-void run(int /*count*/, char** /*values*/) {
-  double worst = 0;
-  fmt::print("{} and {} triangles or nodes{:>14}{:>10}{:>10}{:>10}\n", small, factor * small,
-             "seconds", "MB", "time^", "memory^");
-  for (const Family& family : families()) {
-    const std::vector<Cost> few = costsOf(family, small);
-    const std::vector<Cost> many = costsOf(family, factor * small);
-    for (std::size_t i = 0; i < many.size(); ++i) {
-      const double time = exponent(few[i].seconds, many[i].seconds, factor);
-      const double memory = exponent(few[i].peakBytes, many[i].peakBytes, factor);
-      if (many[i].seconds > noticeableSeconds) worst = std::max(worst, time);
-      fmt::print("{:<14}{:<14}{:>18.3f}{:>10.1f}{:>10.2f}{:>10.2f}\n", family.name, many[i].stage,
-                 many[i].seconds, many[i].peakBytes / 1e6, time, memory);
+/// One stage of a family at all sizes.
+struct Growth {
+  const Family* family;
+  std::string stage;
+  std::vector<double> seconds;
+  std::vector<double> peakBytes;
+};
+
+std::vector<Growth> growthsOf(const Family& family) {
+  std::vector<Growth> growths;
+  for (int i = 0; i <= doublings; ++i) {
+    const std::vector<Cost> costs = costsOf(family, small << static_cast<unsigned>(i));
+    if (i == 0)
+      for (const Cost& cost : costs) growths.push_back({&family, cost.stage, {}, {}});
+    for (std::size_t stage = 0; stage < costs.size(); ++stage) {
+      growths[stage].seconds.push_back(costs[stage].seconds);
+      growths[stage].peakBytes.push_back(costs[stage].peakBytes);
     }
   }
+  return growths;
+}
+
+/// Of the power of the size that fits best, in the square of logarithms.
+double fittedExponent(const std::vector<double>& costs) {
+  const double middle = static_cast<double>(costs.size() - 1) / 2;
+  double slope = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const double x = static_cast<double>(i) - middle;
+    slope += x * std::log2(std::max(costs[i], 1e-6));
+    squares += x * x;
+  }
+  return slope / squares;
+}
+
+void print(const std::vector<Growth>& growths) {
+  fmt::print("{:<14}{:<10}", "family", "stage");
+  for (int i = 0; i <= doublings; ++i) fmt::print("{:>8}", small << static_cast<unsigned>(i));
+  fmt::print("{:>8}{:>8}{:>9}\n", "MB", "time^", "memory^");
+  double worst = 0;
+  for (const Growth& growth : growths) {
+    fmt::print("{:<14}{:<10}", growth.family->name, growth.stage);
+    for (const double seconds : growth.seconds) fmt::print("{:>8.3f}", seconds);
+    const double exponent = fittedExponent(growth.seconds);
+    fmt::print("{:>8.1f}{:>8.2f}{:>9.2f}\n", growth.peakBytes.back() / 1e6, exponent,
+               fittedExponent(growth.peakBytes));
+    if (growth.seconds.back() > noticeableSeconds) worst = std::max(worst, exponent);
+  }
   fmt::print("largest exponent of a time above {} s: {:.2f}\n", noticeableSeconds, worst);
+}
+
+void printJson(const std::vector<Growth>& growths) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Growth& growth : growths) {
+    nlohmann::json sizes = nlohmann::json::array();
+    for (std::size_t i = 0; i < growth.seconds.size(); ++i) sizes.push_back(small << i);
+    list.push_back({{"family", growth.family->name},
+                    {"stage", growth.stage},
+                    {"sizes", sizes},
+                    {"seconds", growth.seconds},
+                    {"peakBytes", growth.peakBytes},
+                    {"exponent", fittedExponent(growth.seconds)}});
+  }
+  fmt::print("{}\n", list.dump(1));
+}
+
+void run(int count, char** values) {
+  bool json = false;
+  std::vector<std::string_view> wanted;
+  for (int i = 1; i < count; ++i) {
+    if (std::string_view(values[i]) == "--json")
+      json = true;
+    else
+      wanted.emplace_back(values[i]);
+  }
+  const bool all = wanted.empty();
+  std::vector<Growth> growths;
+  for (const Family& family : families()) {
+    if (!all && std::erase(wanted, family.name) == 0) continue;
+    for (Growth& growth : growthsOf(family)) growths.push_back(std::move(growth));
+  }
+  if (!wanted.empty())
+    throw UsageError(fmt::format("usage: opaline_growth_bench [--json] [FAMILY…]; {} is unknown",
+                                 wanted.front()));
+  json ? printJson(growths) : print(growths);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ def main():
     binaries = arguments.build.resolve() / "bin"
     programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
     for script in ("tools/accuracy.py", "tools/figures/hero_scene.py", "tools/figures/window_pictures.py",
-                   "tools/figures/blender_pictures.py"):
+                   "tools/figures/blender_pictures.py", "tools/figures/growth_figure.py"):
         programs[script] = ROOT / script
     for _, entry in entries():
         wanted = set(entry["pictures"]) & set(arguments.pictures) if arguments.pictures else (
