@@ -61,6 +61,7 @@ TEST(FrameWriter, SaysWhatWentWrongAndCanBeLeftAtAnyTime) {
 TEST(PositionsAhead, AreThoseOfTheirFilesWhileOthersAreKeptAndTaken) {
   KeptPositions kept(4000 * sizeof(Vec3));
   std::vector<std::thread> readers;
+  readers.reserve(3);
   for (int part = 0; part < 3; ++part)
     readers.emplace_back([&kept, part] {
       for (int i = part; i < frames; i += 3)
