@@ -32,21 +32,16 @@ const float wholeDisc = 0.85;
 // of their spacings.
 const float smoothThickness = 1.5;
 
-// The profile as smooth as the sources can follow. Of those that lie in another plane, on the other
-// side of a thin part, as much comes through as would of endlessly many.
-vec3 smoothedProfile(Profile profile, vec3 offset, float squared, vec3 normal, bool sameSide,
-                     float reach) {
-  if (sameSide)
-    return reflectanceProfile(profile, vec3(smoothedSquare(squared, reach * reach)));
-  float across = dot(offset, normal);
+// Of sources that lie in another plane, on the other side of a thin part, as much comes through as would of endlessly
+// many.
+vec3 profileThrough(Profile profile, float squared, float across, float reach) {
   float least = smoothThickness / reachInSpacings * reach;
   float further = max(least * least - across * across, 0.0);
-  if (further == 0.0) return reflectanceProfile(profile, vec3(squared));
-  vec3 wanted = profileOutside(profile, vec3(across * across)) -
-                profileOutside(profile, vec3(reach * reach));
+  vec3 wanted = profileOutside(profile, vec3(across * across)) - profileOutside(profile, vec3(reach * reach));
   vec3 kept = profileOutside(profile, vec3(least * least)) -
               profileOutside(profile, vec3(reach * reach + further));
-  return reflectanceProfile(profile, vec3(squared + further)) * wanted / max(kept, vec3(1e-30));
+  vec3 part = further == 0.0 ? vec3(1.0) : wanted / max(kept, vec3(1e-30));
+  return part * reflectanceProfile(profile, vec3(squared + further));
 }
 
 struct Neighbours {
@@ -58,38 +53,81 @@ struct Neighbours {
   vec3 through;   // part of the light there that paint lets through, by nearbyWeight
 };
 
+// The sources of the next leaf from `node` on that has any within the reach, or none. The walk stops for a leaf: a
+// device that does both sides of every branch would go through sources at each node.
+struct Opened {
+  uint first;
+  uint end;
+};
+
+Opened nextWithin(inout uint node, vec3 position, ObjectData body) {
+  Opened opened = Opened(0u, 0u);
+  while (node < body.tree.y && opened.end == 0u) {
+    vec4 green = texelFetch(nodes, 5 * int(node) + 1);
+    float radius = texelFetch(nodes, 5 * int(node)).w;
+    uint link = floatBitsToUint(green.w);
+    bool apart = distance(green.xyz, position) > body.darkest.w + radius;
+    if (!apart && isLeaf(link)) {
+      opened.first = sourcesPerSurfel * firstSurfelOf(link);
+      opened.end = opened.first + sourcesPerSurfel * surfelCountOf(link);
+    }
+    node = apart ? afterNode(node, link) : node + 1u;
+  }
+  return opened;
+}
+
+bool isOnSide(uint source, vec3 normal) {
+  return dot(surfelNormals[source / sourcesPerSurfel].xyz, normal) >= otherSide;
+}
+
+// Sums those on the other side of a thin part. Few places have any.
+vec4 sumThrough(vec3 position, vec3 normal, ObjectData body, bool any) {
+  Profile profile = mediumAt(body, position).profile;
+  float reach = body.darkest.w;
+  vec4 sum = vec4(0.0);
+  uint node = any ? body.tree.x : body.tree.y;
+  while (node < body.tree.y) {
+    Opened opened = nextWithin(node, position, body);
+    for (uint i = opened.first; i < opened.end; ++i) {
+      vec3 place = positionAreaOf(i).xyz;
+      float squared = squaredDistanceTo(place, position);
+      if (squared >= reach * reach || isOnSide(i, normal)) continue;
+      float across = dot(place - position, normal);
+      sum += vec4(fluxOf(i) * profileThrough(profile, squared, across, reach), 1.0);
+    }
+  }
+  return sum;
+}
+
 Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
   Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
   Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
   float area = 0.0;
+  bool anyOther = false;
   uint node = body.tree.x;
   while (node < body.tree.y) {
-    vec4 green = texelFetch(nodes, 5 * int(node) + 1);
-    float radius = texelFetch(nodes, 5 * int(node)).w;
-    uint link = floatBitsToUint(green.w);
-    bool apart = distance(green.xyz, position) > reach + radius;
-    if (!apart && isLeaf(link)) {
-      uint first = sourcesPerSurfel * firstSurfelOf(link);
-      uint end = first + sourcesPerSurfel * surfelCountOf(link);
-      for (uint i = first; i < end; ++i) {
-        vec4 place = positionAreaOf(i);
-        float squared = squaredDistanceTo(place.xyz, position);
-        if (squared >= reach * reach) continue;
-        bool sameSide = dot(surfelNormals[i / sourcesPerSurfel].xyz, normal) >= otherSide;
-        vec3 weight = smoothedProfile(profile, place.xyz - position, squared, normal, sameSide, reach);
-        found.sum += vec4(fluxOf(i) * weight, 1.0);
-        if (!sameSide) continue;
-        float counted = place.w * nearbyWeight(squared, reach * reach);
-        found.even += counted * weight;
-        found.sky += counted * skyShares[i / sourcesPerSurfel].rgb;
-        if (withPaint != 0u) found.through += counted * throughPaint[i / sourcesPerSurfel].rgb;
-        found.gathered += counted / max(place.w, 1e-30) * fluxOf(i);
-        area += counted;
+    Opened opened = nextWithin(node, position, body);
+    for (uint i = opened.first; i < opened.end; ++i) {
+      vec4 place = positionAreaOf(i);
+      float squared = squaredDistanceTo(place.xyz, position);
+      if (squared >= reach * reach) continue;
+      if (!isOnSide(i, normal)) {
+        anyOther = true;
+        continue;
       }
+      vec3 weight = reflectanceProfile(profile, vec3(smoothedSquare(squared, reach * reach)));
+      vec3 flux = fluxOf(i);
+      float counted = place.w * nearbyWeight(squared, reach * reach);
+      found.sum += vec4(flux * weight, 1.0);
+      found.even += counted * weight;
+      found.sky += counted * skyShares[i / sourcesPerSurfel].rgb;
+      if (withPaint != 0u) found.through += counted * throughPaint[i / sourcesPerSurfel].rgb;
+      found.gathered += counted / max(place.w, 1e-30) * flux;
+      area += counted;
     }
-    node = apart ? afterNode(node, link) : node + 1u;
   }
+  found.sum += sumThrough(position, normal, body, anyOther);
   found.sky = area > 0.0 ? found.sky / area : vec3(1.0);
   found.through = withPaint != 0u && area > 0.0 ? found.through / area : vec3(1.0);
   if (area > 0.0) found.gathered /= area;

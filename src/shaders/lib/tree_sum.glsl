@@ -116,8 +116,7 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
 
 // The profile for a rough sum: what coarse sources lack is spread over their reach.
 vec3 roughProfile(ObjectData body, Profile profile, float squared) {
-  float reach2 = body.darkest.w * body.darkest.w;
-  if (reach2 == 0.0) return reflectanceProfile(profile, vec3(squared));
+  float reach2 = max(body.darkest.w * body.darkest.w, 1e-30);
   vec3 lacking = body.nearbyDisc.rgb + body.nearbyInner.rgb + body.nearbyOuter.rgb;
   return reflectanceProfile(profile, vec3(smoothedSquare(squared, reach2))) +
          lacking * exp(-squared / reach2) / (pi * reach2);
