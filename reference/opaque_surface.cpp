@@ -52,9 +52,11 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
   for (std::size_t c = 0; c < 3; ++c) {
     surface.diffuse[c] = (1 - metallic) * (1 - through) * base[c];
     surface.through[c] = (1 - metallic) * through * std::min(behind[c], 1.0);
-    surface.mirrored[c] = std::lerp(std::min(headOn * tint[c], 1.0) * strength, base[c], metallic);
+    surface.dielectric[c] = std::min(headOn * tint[c], 1.0) * strength;
   }
-  surface.grazing = std::lerp(strength, 1.0, metallic);
+  surface.grazing = strength;
+  surface.metal = base;
+  surface.metallic = metallic;
   surface.alpha = roughness * roughness;
   surface.occlusion =
       std::lerp(1.0, number(material.occlusionTexture, 0), double{material.occlusionStrength});
@@ -65,19 +67,26 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
 namespace {
 
 // Mean over the hemisphere of the reflectance by Schlick 1994.
-double mirroredShare(const OpaqueSurface& surface, std::size_t channel) {
-  return std::lerp(surface.mirrored[channel], surface.grazing, 1.0 / 21);
+double meanShare(double headOn, double grazing) {
+  return std::lerp(headOn, grazing, 1.0 / 21);
+}
+
+double leftByDielectric(const OpaqueSurface& surface) {
+  return 1 -
+         meanShare(std::max({surface.dielectric[0], surface.dielectric[1], surface.dielectric[2]}),
+                   surface.grazing);
 }
 
 }  // namespace
 
 double mattShare(const OpaqueSurface& surface, std::size_t channel) {
-  const double mirrored = mirroredShare(surface, channel);
-  return mirrored + (1 - mirrored) * surface.diffuse[channel];
+  const double mirrored = std::lerp(meanShare(surface.dielectric[channel], surface.grazing),
+                                    meanShare(surface.metal[channel], 1), surface.metallic);
+  return mirrored + leftByDielectric(surface) * surface.diffuse[channel];
 }
 
 double mattThrough(const OpaqueSurface& surface, std::size_t channel) {
-  return (1 - mirroredShare(surface, channel)) * surface.through[channel];
+  return leftByDielectric(surface) * surface.through[channel];
 }
 
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights) {

@@ -10,8 +10,10 @@ namespace opaline::reference {
 struct OpaqueSurface {
   Colour diffuse{};      ///< share of light given back diffusely, less by what is mirrored
   Colour through{};      ///< share of light on the other side that leaves here diffusely, the same
-  Colour mirrored{};     ///< head on: F₀
-  double grazing = 0;    ///< F₉₀
+  Colour dielectric{};   ///< F₀ of the part that is no metal
+  double grazing = 0;    ///< F₉₀ of that part
+  Colour metal{};        ///< F₀ of metal
+  double metallic = 0;   ///< share that is metal
   double alpha = 1;      ///< roughness²
   double occlusion = 1;  ///< share of light that does not come straight from a light
   Colour emission{};     ///< radiance

@@ -44,8 +44,9 @@ double balanced(double density, double other) {
 }
 
 OpaqueSurface withoutMirror(OpaqueSurface surface) {
-  surface.mirrored = {};
+  surface.dielectric = {};
   surface.grazing = 0;
+  surface.metallic = 0;
   return surface;
 }
 

@@ -16,22 +16,37 @@ double sumOf(const Colour& colour) {
   return colour[0] + colour[1] + colour[2];
 }
 
-}  // namespace
-
 double schlick(double headOn, double grazing, double cosine) {
   return std::lerp(headOn, grazing, std::pow(std::clamp(1 - cosine, 0.0, 1.0), 5));
 }
 
+}  // namespace
+
 EvenMirrored evenMirrored(const OpaqueSurface& surface, double cosine) {
   const MirroredShares shares = mirroredShares(surface.alpha, cosine);
+  const auto sentOn = [&](double headOn) {
+    return 1 + headOn * (1 / std::max(shares.base + shares.grazing, 1e-3) - 1);
+  };
+  const auto mirrored = [&](double headOn, double grazing) {
+    return std::clamp(sentOn(headOn) * (headOn * shares.base + grazing * shares.grazing), 0.0, 1.0);
+  };
   EvenMirrored even;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double headOn = surface.mirrored[c];
-    even.sentOn[c] = 1 + headOn * (1 / std::max(shares.base + shares.grazing, 1e-3) - 1);
-    const double once = headOn * shares.base + surface.grazing * shares.grazing;
-    even.share[c] = std::clamp(even.sentOn[c] * once, 0.0, 1.0);
+    even.sentOnByDielectric[c] = sentOn(surface.dielectric[c]);
+    even.sentOnByMetal[c] = sentOn(surface.metal[c]);
+    const double byDielectric = mirrored(surface.dielectric[c], surface.grazing);
+    even.byDielectric = std::max(even.byDielectric, byDielectric);
+    even.share[c] = std::lerp(byDielectric, mirrored(surface.metal[c], 1), surface.metallic);
   }
   return even;
+}
+
+double facetReflectance(const OpaqueSurface& surface, const EvenMirrored& even, std::size_t channel,
+                        double cosine) {
+  return std::lerp(even.sentOnByDielectric[channel] *
+                       schlick(surface.dielectric[channel], surface.grazing, cosine),
+                   even.sentOnByMetal[channel] * schlick(surface.metal[channel], 1, cosine),
+                   surface.metallic);
 }
 
 MirroredCandidate mirroredCandidate(double alpha, const Vector& toLight, Random& random) {
@@ -56,17 +71,13 @@ Reflection::Reflection(const OpaqueSurface& surface, const Vector& normal, const
                        const Vector& toEye)
     : Reflection(normal, outside, toEye) {
   alpha_ = surface.alpha;
-  headOn_ = surface.mirrored;
-  grazing_ = surface.grazing;
-  const EvenMirrored even = evenMirrored(surface, eye_[2]);
-  sentOn_ = even.sentOn;
-  Colour given{};
-  for (std::size_t c = 0; c < 3; ++c) given[c] = surface.diffuse[c] * (1 - even.share[c]);
+  surface_ = surface;
+  even_ = evenMirrored(surface, eye_[2]);
+  const Colour given = (1 - even_.byDielectric) * surface.diffuse;
   diffuse_ = (1 / pi) * given;
-  Colour through{};
-  for (std::size_t c = 0; c < 3; ++c) through[c] = surface.through[c] * (1 - even.share[c]);
+  const Colour through = (1 - even_.byDielectric) * surface.through;
   through_ = (1 / pi) * through;
-  const double all = sumOf(given) + sumOf(through) + sumOf(even.share);
+  const double all = sumOf(given) + sumOf(through) + sumOf(even_.share);
   matt_ = all > 0 ? sumOf(given) / all : 1;
   behind_ = all > 0 ? sumOf(through) / all : 0;
 }
@@ -76,7 +87,6 @@ Reflection Reflection::ofMedium(double eta, double alpha, const Vector& normal,
   Reflection made(normal, outside, toEye);
   made.eta_ = eta;
   made.alpha_ = alpha;
-  made.grazing_ = 1;
   return made;
 }
 
@@ -86,7 +96,7 @@ Colour Reflection::fresnel(double cosine) const {
     return {share, share, share};
   }
   Colour share{};
-  for (std::size_t c = 0; c < 3; ++c) share[c] = schlick(headOn_[c], grazing_, cosine);
+  for (std::size_t c = 0; c < 3; ++c) share[c] = facetReflectance(surface_, even_, c, cosine);
   return share;
 }
 
@@ -101,7 +111,7 @@ Colour Reflection::value(const Vector& toLight) const {
       ggxDensity(alpha_, half[2]) /
       (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2]) + ggxHidden(alpha_, light[2])));
   const Colour mirrored = fresnel(dot(light, half));
-  for (std::size_t c = 0; c < 3; ++c) value[c] += facets * mirrored[c] * sentOn_[c];
+  for (std::size_t c = 0; c < 3; ++c) value[c] += facets * mirrored[c];
   return value;
 }
 

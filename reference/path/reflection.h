@@ -11,6 +11,15 @@
 
 namespace opaline::reference {
 
+/// Towards the eye, of even light: what is mirrored, and how much more that is than facets mirror
+/// once.
+struct EvenMirrored {
+  Colour share{};
+  double byDielectric = 0;  ///< in its strongest channel, of light that falls on what is no metal
+  Colour sentOnByDielectric{1, 1, 1};
+  Colour sentOnByMetal{1, 1, 1};
+};
+
 /// What a surface reflects towards the eye: light that it gives back diffusely, less by what it
 /// mirrors of even light towards there, and GGX with what facets send on to each other (Turquin
 /// 2019). Light of the other side that gets through leaves diffusely, less by the same.
@@ -43,9 +52,8 @@ class Reflection {
   double behind_ = 0;  ///< and for light of the other side
   Colour diffuse_{};   ///< over π
   Colour through_{};   ///< over π
-  Colour headOn_{};
-  double grazing_ = 0;
-  Colour sentOn_{1, 1, 1};
+  OpaqueSurface surface_{};
+  EvenMirrored even_{};
 };
 
 /// Of light that meets an opaque surface in one channel, the particles that go on, each with all
@@ -56,15 +64,11 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
 
 // ---- implementation
 
-/// Towards the eye, of even light: what is mirrored, and how much more that is than facets mirror
-/// once.
-struct EvenMirrored {
-  Colour share{};
-  Colour sentOn{};
-};
 EvenMirrored evenMirrored(const OpaqueSurface& surface, double cosine);
 
-double schlick(double headOn, double grazing, double cosine);
+/// Of facets in one channel, by Schlick 1994, with what they send on to each other towards the eye.
+double facetReflectance(const OpaqueSurface& surface, const EvenMirrored& even, std::size_t channel,
+                        double cosine);
 
 /// Candidate of the mirrored direction of light, in the frame of a surface, and the part of it that
 /// facets let through.
@@ -85,19 +89,19 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
   };
   const double cosine = std::sqrt(random());
   const Vector matt = around({0, 0, 1}, cosine, 2 * std::numbers::pi * random());
-  if (random() < surface.diffuse[channel] * (1 - evenMirrored(surface, cosine).share[channel]))
+  if (random() < surface.diffuse[channel] * (1 - evenMirrored(surface, cosine).byDielectric))
     send(matt);
   if (const double through = surface.through[channel]; through > 0) {
     const double cosineBehind = std::sqrt(random());
     const Vector beyond = around({0, 0, -1}, cosineBehind, 2 * std::numbers::pi * random());
-    if (random() < through * (1 - evenMirrored(surface, cosineBehind).share[channel])) send(beyond);
+    if (random() < through * (1 - evenMirrored(surface, cosineBehind).byDielectric)) send(beyond);
   }
-  if (surface.grazing <= 0 && surface.mirrored[channel] <= 0) return;
+  if (surface.metallic <= 0 && surface.grazing <= 0 && surface.dielectric[channel] <= 0) return;
   const MirroredCandidate candidate = mirroredCandidate(surface.alpha, light, random);
   if (candidate.seen <= 0) return;
-  const double share = candidate.seen *
-                       schlick(surface.mirrored[channel], surface.grazing, candidate.cosineHalf) *
-                       evenMirrored(surface, candidate.direction[2]).sentOn[channel];
+  const double share =
+      candidate.seen * facetReflectance(surface, evenMirrored(surface, candidate.direction[2]),
+                                        channel, candidate.cosineHalf);
   for (double left = share + random(); left >= 1; left -= 1) send(candidate.direction);
 }
 

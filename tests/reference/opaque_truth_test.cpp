@@ -108,10 +108,26 @@ TEST(OpaqueTruthTest, LambertAndGgxUnderADirectionalLight) {
   EXPECT_NEAR(Eye(scene).radianceFrom(40.0 * out, {0, 0, 0}, 1)[1] / expected, 1, 0.01);
 }
 
+// glTF 2.0, appendix B: the two are mixed, not their numbers.
+TEST(OpaqueTruthTest, HalfMetalIsTheMeanOfMetalAndDielectric) {
+  OpaqueMaterial material;
+  material.baseColor = {0.8F, 0.4F, 0.1F};
+  material.roughness = 0.6F;
+  const auto found = [&](float metallic) {
+    material.metallic = metallic;
+    Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), material)});
+    scene.lighting.directional = {{{0.6F, 0, 0.8F}, {3, 3, 3}}};
+    return Eye(scene).radianceFrom({0, 0, 40}, {1, 1, 0}, 1);
+  };
+  const Colour mean = 0.75 * found(0) + 0.25 * found(1);
+  const Colour mixed = found(0.25F);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(mixed[c] / mean[c], 1, 1e-6);
+}
+
 // Whatever is white is as bright as its surroundings.
 TEST(OpaqueTruthTest, WhiteFurnace) {
   for (const double roughness : {0.1, 0.5, 1.0})
-    for (const float metallic : {0.0F, 1.0F}) {
+    for (const float metallic : {0.0F, 0.5F, 1.0F}) {
       OpaqueMaterial white;
       white.baseColor = {1, 1, 1};
       white.metallic = metallic;

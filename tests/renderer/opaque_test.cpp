@@ -183,9 +183,28 @@ TEST_F(OpaqueTest, MetalMirrorsLightsByGgx) {
   }
 }
 
+// glTF 2.0, appendix B: between metal and dielectric the two are mixed, not their numbers.
+TEST_F(OpaqueTest, HalfMetalIsTheMeanOfMetalAndDielectric) {
+  OpaqueMaterial material;
+  material.baseColor = {0.8F, 0.4F, 0.1F};
+  material.roughness = 0.6F;
+  const auto found = [&](float metallic) {
+    material.metallic = metallic;
+    Scene scene = squareOf(material);
+    scene.lighting.directional.push_back({{0.6F, 0, 0.8F}, {2, 2, 2}});
+    scene.lighting.ambient = {0.3F, 0.3F, 0.3F};
+    return radianceAt(scene, 16, 16);
+  };
+  const Vector dielectric = found(0);
+  const Vector metal = found(1);
+  const Vector mixed = found(0.25F);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(mixed[c] / (0.75 * dielectric[c] + 0.25 * metal[c]), 1, 1e-4);
+}
+
 // What is white and takes nothing away is not to be seen in a white furnace.
 TEST_F(OpaqueTest, NothingIsLostInAWhiteFurnace) {
-  for (const float metallic : {0.0F, 1.0F})
+  for (const float metallic : {0.0F, 0.5F, 1.0F})
     for (const float roughness : {0.1F, 0.5F, 1.0F}) {
       OpaqueMaterial white;
       white.baseColor = {1, 1, 1};

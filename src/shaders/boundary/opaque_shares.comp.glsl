@@ -6,6 +6,7 @@
 #define BINDING_MEDIA 1
 #define BINDING_OPAQUES 4
 #define BINDING_TEXELS 7
+#include "lib/lesser.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
 #include "lib/piece_material.glsl"
@@ -22,8 +23,8 @@ layout(push_constant) uniform Push {
 };
 
 // Mean over the hemisphere of Schlick's reflectance, for light from everywhere.
-vec3 mirrored(vec4 specular) {
-  return specular.rgb + (vec3(specular.w) - specular.rgb) / 21.0;
+vec3 mirroredBy(vec3 headOn, float grazing) {
+  return clamp(headOn + (vec3(grazing) - headOn) / 21.0, 0.0, 1.0);
 }
 
 void main() {
@@ -37,9 +38,11 @@ void main() {
   for (uint k = range.firstSurfel * piecesPerSurfel; k < end; ++k) {
     SurfelPiece piece = pieces[k];
     SeenMaterial found = materialAt(material, placeOfPiece(piece, material));
-    vec3 reflected = clamp(mirrored(found.specular), 0.0, 1.0);
-    sum.share.rgb += piece.areaMm2 * (reflected + (1.0 - reflected) * found.diffuse.rgb);
-    sum.through.rgb += piece.areaMm2 * (1.0 - reflected) * found.through.rgb;
+    vec3 byDielectric = mirroredBy(found.dielectric.rgb, found.dielectric.w);
+    vec3 mirrored = mix(byDielectric, mirroredBy(found.metal.rgb, 1.0), found.metal.w);
+    float left = 1.0 - largestOf(byDielectric);
+    sum.share.rgb += piece.areaMm2 * (mirrored + left * found.diffuse.rgb);
+    sum.through.rgb += piece.areaMm2 * left * found.through.rgb;
     sum.emission.rgb += piece.areaMm2 * pi * found.emission.rgb;
     area += piece.areaMm2;
   }

@@ -20,13 +20,30 @@ vec2 glossOf(SeenMaterial material, float cosine) {
 
 // What a rough surface's facets send on to each other, over what they mirror once (Turquin 2019), so
 // that white metal mirrors all light.
-vec3 sentOn(SeenMaterial material, vec2 parts) {
-  return 1.0 + material.specular.rgb * (1.0 / max(parts.x + parts.y, 1e-3) - 1.0);
+vec3 sentOn(vec3 headOn, vec2 parts) {
+  return 1.0 + headOn * (1.0 / max(parts.x + parts.y, 1e-3) - 1.0);
 }
 
-// What is mirrored of even light once.
-vec3 mirroredOnce(SeenMaterial material, vec2 parts) {
-  return material.specular.rgb * parts.x + material.specular.w * parts.y;
+vec3 mirroredBy(vec3 headOn, float grazing, vec2 parts) {
+  return sentOn(headOn, parts) * (headOn * parts.x + grazing * parts.y);
+}
+
+// What the part that is no metal mirrors of even light that falls on it. In its strongest channel, diffuse light has that
+// much less in all (KHR_materials_specular).
+vec3 mirroredByDielectric(SeenMaterial material, vec2 parts) {
+  return mirroredBy(material.dielectric.rgb, material.dielectric.w, parts);
+}
+
+// What both parts mirror of even light.
+vec3 mirroredOf(SeenMaterial material, vec2 parts) {
+  return mix(mirroredByDielectric(material, parts), mirroredBy(material.metal.rgb, 1.0, parts), material.metal.w);
+}
+
+// Schlick 1994, with what facets send on to each other.
+vec3 facetReflectance(SeenMaterial material, vec2 parts, float cosine) {
+  float grazing = pow(clamp(1.0 - cosine, 0.0, 1.0), 5.0);
+  return mix(sentOn(material.dielectric.rgb, parts) * mix(material.dielectric.rgb, vec3(material.dielectric.w), grazing),
+             sentOn(material.metal.rgb, parts) * mix(material.metal.rgb, vec3(1.0), grazing), material.metal.w);
 }
 
 #endif

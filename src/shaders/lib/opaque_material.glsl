@@ -83,7 +83,8 @@ SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   float through = throughAt(material, place);
   SeenMaterial result;
   result.diffuse = vec4((1.0 - metallic) * (1.0 - through) * base, alphaOf(material, found.g));
-  result.specular = vec4(mix(dielectric, base, metallic), mix(strength, 1.0, metallic));
+  result.dielectric = vec4(dielectric, strength);
+  result.metal = vec4(base, metallic);
   result.normal = vec4(0.0, 0.0, 0.0, mix(1.0, occlusion, material.rest.x));
   result.emission = vec4(material.emission.rgb * textureAt(material.emissionTexture, place, vec4(1.0)).rgb,
                          material.rest.y);
@@ -91,7 +92,8 @@ SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   if (material.rest.y != 0.0) {
     result.emission.rgb = base;
     result.diffuse.rgb = vec3(0.0);
-    result.specular = vec4(0.0);
+    result.dielectric = vec4(0.0);
+    result.metal = vec4(0.0);
     through = 0.0;
   }
   result.through = vec4(0.0);

@@ -196,6 +196,6 @@ void main() {
   if (round == askingSome) return;
   SeenMaterial material = materials[seen.entry];
   // What mirrors next to nothing needs no rays.
-  if (material.specular.w <= 0.0 && material.specular.rgb == vec3(0.0)) return;
+  if (material.metal.w <= 0.0 && material.dielectric == vec4(0.0)) return;
   materials[seen.entry].around = mirrored(place, material);
 }

@@ -12,6 +12,7 @@
 #include "lib/frame.glsl"
 #include "lib/gloss.glsl"
 #include "lib/glossy_sky.glsl"
+#include "lib/lesser.glsl"
 #include "lib/pi.glsl"
 #include "lib/reflection.glsl"
 #include "lib/seen_list.glsl"
@@ -28,12 +29,6 @@ layout(push_constant) uniform Push {
   uint vertexCount;
 };
 
-// Schlick 1994.
-vec3 fresnelOf(SeenMaterial material, float cosine) {
-  float grazing = pow(clamp(1.0 - cosine, 0.0, 1.0), 5.0);
-  return mix(material.specular.rgb, vec3(material.specular.w), grazing);
-}
-
 // The sky is seen through the lobe already.
 const float leastMirrored = 0.5;
 
@@ -46,7 +41,7 @@ vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, float alpha
   return sum / float(bitCount(seeing));
 }
 
-vec3 mirroredLights(SeenMaterial material, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
+vec3 mirroredLights(SeenMaterial material, vec2 parts, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
                     vec3 toCamera) {
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
@@ -56,7 +51,7 @@ vec3 mirroredLights(SeenMaterial material, vec3 position, vec3 outside, NormalsN
     float alpha = widenedBy(i, material.diffuse.w, cosine);
     float value = lobeOfSamples(alpha, normals, samples, incident.direction, toCamera);
     if (value <= 1e-6) continue;
-    sum += fresnelOf(material, cosine) * incident.irradiance *
+    sum += facetReflectance(material, parts, cosine) * incident.irradiance *
            (value * visibilityOf(incident, position, outside));
   }
   return sum;
@@ -74,12 +69,12 @@ vec3 radianceOf(Seen seen, MeshPlace place, SeenMaterial material) {
   normals.middle = material.normal.xyz;
   float cosine = clamp(dot(normals.middle, toCamera), 1e-3, 1.0);
   vec2 parts = glossOf(material, cosine);
-  vec3 more = sentOn(material, parts);
-  vec3 mirrored = more * mirroredOnce(material, parts);
-  vec3 lights = more * mirroredLights(material, liftedPlace(place), place.normal, normals, samples, toCamera);
+  vec3 mirrored = mirroredOf(material, parts);
+  float taken = largestOf(mirroredByDielectric(material, parts));
+  vec3 lights = mirroredLights(material, parts, liftedPlace(place), place.normal, normals, samples, toCamera);
   vec3 around = material.around.rgb +
                 material.around.w * mirroredSky(normals, samples, toCamera, material.diffuse.w);
-  return emitted + diffuse * (1.0 - clamp(mirrored, 0.0, 1.0)) + lights +
+  return emitted + diffuse * (1.0 - clamp(taken, 0.0, 1.0)) + lights +
          material.normal.w * mirrored * around;
 }
 

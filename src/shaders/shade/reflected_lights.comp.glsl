@@ -157,11 +157,11 @@ Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
     return Mirror(normal, lobeAt(cosine), vec3(reflectedAlbedo(mediumAt(body, place.position), cosine)));
   vec2 parts = glossOf(material, cosine);
   return Mirror(normal, glossLobeOf(material.diffuse.w, cosine),
-                sentOn(material, parts) * mirroredOnce(material, parts));
+                mirroredOf(material, parts));
 }
 
 // Beside what is `known` of the radiance there.
-vec3 mirroredOf(Seen seen, MeshPlace place, vec3 known) {
+vec3 mirroredLights(Seen seen, MeshPlace place, vec3 known) {
   vec3 toCamera = normalize(toCameraFrom(place.position));
   Mirror mirror = mirrorOf(seen, place, toCamera);
   Lobe lobe = lobeOf(mirror.normal, reflect(-toCamera, mirror.normal), mirror.shape);
@@ -182,5 +182,5 @@ void main() {
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   float coverage = coverageOf(samplesOf(seen.word));
-  light[seen.entry].rgb += coverage * mirroredOf(seen, place, light[seen.entry].rgb / coverage);
+  light[seen.entry].rgb += coverage * mirroredLights(seen, place, light[seen.entry].rgb / coverage);
 }

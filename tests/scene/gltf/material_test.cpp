@@ -132,10 +132,12 @@ TEST_F(GltfMaterial, AVolumeThatScattersNothingIsNoMedium) {
 }
 
 TEST_F(GltfMaterial, ASheetThatLetsLightThroughIsOpaque) {
-  const Scene scene =
-      load(parts(R"({"name":"leaf","pbrMetallicRoughness":{"metallicFactor":0},"extensions":{)"
-                 R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5,)"
-                 R"("diffuseTransmissionColorFactor":[0.25,0.5,2]}}})"));
+  Parts leaf = parts(R"({"name":"leaf","pbrMetallicRoughness":{"metallicFactor":0},"extensions":{)"
+                     R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5,)"
+                     R"("diffuseTransmissionColorFactor":[0.25,0.5,2]}}})");
+  leaf.more += R"(,"extensionsUsed":["KHR_materials_diffuse_transmission"])"
+               R"(,"extensionsRequired":["KHR_materials_diffuse_transmission"])";
+  const Scene scene = load(leaf);
   ASSERT_TRUE(scene.objects[0].opaque);
   EXPECT_EQ(scene.objects[0].opaque->diffuseTransmission, 0.5F);
   EXPECT_EQ(scene.objects[0].opaque->diffuseTransmissionColor, (Rgb{0.25F, 0.5F, 1}));
@@ -260,6 +262,14 @@ TEST_F(GltfMaterial, WebpIsReadBeforeItsFallback) {
   EXPECT_EQ(texture(R"({"source":1,"extensions":{"KHR_texture_basisu":{"source":0}}})"), 1);
   EXPECT_EQ(texture(R"({"extensions":{"KHR_texture_basisu":{"source":0}}})"), -1);
   EXPECT_THAT(notes, Contains(HasSubstr("KHR_texture_basisu")));
+}
+
+TEST_F(GltfMaterial, AFileThatRequiresTexturesThatAreNotReadIsRefused) {
+  Parts file =
+      parts(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"textures":[)"
+            R"({"extensions":{"KHR_texture_basisu":{"source":0}}}],"images":[{"uri":"a.ktx2"})");
+  file.more += R"(,"extensionsRequired":["KHR_texture_basisu"])";
+  EXPECT_THAT(errorOf(file), HasSubstr("requires 'KHR_texture_basisu', which is not supported"));
 }
 
 // The medium is as bright as all but the brightest twentieth; where the picture has that colour the
