@@ -24,8 +24,8 @@ MEGABYTES = 1000
 TRIES = 3  # where one takes longer: the machine may have much else to do
 LONGEST_SECONDS = 60  # of one core, and ten times that by the clock
 PICTURE = ("--size", "48x48", "--antialias", "1", "--quiet")
-# Time by the number of surfels and clusters is no fault of a file's.
-BOUNDARY = (*PICTURE, "--max-surfels", "32768", "--max-clusters", "2048")
+# Time by the number of surfels is no fault of a file's.
+BOUNDARY = (*PICTURE, "--max-surfels", "32768")
 PAPER = (*PICTURE, "--method", "paper", "--medium", "marble")
 SKY_MODEL = "cube.obj"
 
