@@ -76,7 +76,8 @@ class Kills(ProgramTest):
         self.write("film.mp4", "an older film")
         for _ in range(4):
             process = self.start(*film, stderr=subprocess.DEVNULL)
-            self.wait_for(lambda: any(self.folder.glob(".opaline-*.mp4")), process)
+            its_own = f".opaline-{process.pid}-*.mp4"  # that of the last kill may still be there
+            self.wait_for(lambda: any(self.folder.glob(its_own)), process)
             time.sleep(self.random.uniform(0, .5))
             process.kill()
             process.wait()
