@@ -101,8 +101,17 @@ std::vector<Cost> costsOf(const Family& family, std::uint32_t count) {
   return costs;
 }
 
-double exponent(double small, double large, double factor) {
-  return small > 0 && large > 0 ? std::log(large / small) / std::log(factor) : 0;
+double exponent(std::span<const double> costs, double factor) {
+  const double middle = static_cast<double>(costs.size() - 1) / 2;
+  double slope = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    if (!(costs[i] > 0)) return 0;
+    const double x = static_cast<double>(i) - middle;
+    slope += x * std::log(costs[i]) / std::log(factor);
+    squares += x * x;
+  }
+  return slope / squares;
 }
 
 }  // namespace opaline::bench

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct Cost {
 /// Reading a family's file of that size, and what a renderer makes of it before its first frame.
 std::vector<Cost> costsOf(const Family& family, std::uint32_t count);
 
-/// Of a power of the size that goes through two costs.
-double exponent(double small, double large, double factor);
+/// Of the power of the size that fits costs best, in the square of logarithms, where the size grows
+/// by a factor from each to the next. At least two; 0 where one of them is 0, which says nothing.
+double exponent(std::span<const double> costs, double factor);
 
 }  // namespace opaline::bench

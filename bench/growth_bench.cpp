@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -46,19 +45,6 @@ std::vector<Growth> growthsOf(const Family& family) {
   return growths;
 }
 
-/// Of the power of the size that fits best, in the square of logarithms.
-double fittedExponent(const std::vector<double>& costs) {
-  const double middle = static_cast<double>(costs.size() - 1) / 2;
-  double slope = 0;
-  double squares = 0;
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    const double x = static_cast<double>(i) - middle;
-    slope += x * std::log2(std::max(costs[i], 1e-6));
-    squares += x * x;
-  }
-  return slope / squares;
-}
-
 void print(const std::vector<Growth>& growths) {
   fmt::print("{:<14}{:<10}", "family", "stage");
   for (int i = 0; i <= doublings; ++i) fmt::print("{:>8}", small << static_cast<unsigned>(i));
@@ -67,10 +53,10 @@ void print(const std::vector<Growth>& growths) {
   for (const Growth& growth : growths) {
     fmt::print("{:<14}{:<10}", growth.family->name, growth.stage);
     for (const double seconds : growth.seconds) fmt::print("{:>8.3f}", seconds);
-    const double exponent = fittedExponent(growth.seconds);
-    fmt::print("{:>8.1f}{:>8.2f}{:>9.2f}\n", growth.peakBytes.back() / 1e6, exponent,
-               fittedExponent(growth.peakBytes));
-    if (growth.seconds.back() > noticeableSeconds) worst = std::max(worst, exponent);
+    const double ofTime = exponent(growth.seconds, 2);
+    fmt::print("{:>8.1f}{:>8.2f}{:>9.2f}\n", growth.peakBytes.back() / 1e6, ofTime,
+               exponent(growth.peakBytes, 2));
+    if (growth.seconds.back() > noticeableSeconds) worst = std::max(worst, ofTime);
   }
   fmt::print("largest exponent of a time above {} s: {:.2f}\n", noticeableSeconds, worst);
 }
@@ -85,7 +71,7 @@ void printJson(const std::vector<Growth>& growths) {
                     {"sizes", sizes},
                     {"seconds", growth.seconds},
                     {"peakBytes", growth.peakBytes},
-                    {"exponent", fittedExponent(growth.seconds)}});
+                    {"exponent", exponent(growth.seconds, 2)}});
   }
   fmt::print("{}\n", list.dump(1));
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace opaline {
@@ -25,7 +26,7 @@ TEST_P(Growth, OfMemoryAndAllocationsIsNearlyLinear) {
   ASSERT_EQ(few.size(), many.size());
   for (std::size_t i = 0; i < few.size(); ++i) {
     const auto growth = [&](double bench::Cost::*cost) {
-      return bench::exponent(few[i].*cost, many[i].*cost, factor);
+      return bench::exponent(std::array{few[i].*cost, many[i].*cost}, factor);
     };
     if (many[i].peakBytes > noticeableBytes) {
       EXPECT_LE(growth(&bench::Cost::peakBytes), mostOfExponent) << few[i].stage;

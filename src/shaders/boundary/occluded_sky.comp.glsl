@@ -32,7 +32,6 @@ layout(push_constant) uniform Push {
 
 // Where more are felt, those that come last in the tree are not.
 const uint mostFelt = 128u;
-const uint firstFelt = 4u;  // that an invocation keeps
 struct Felt {
   vec4 placeReach;
   vec4 normalEdge;
@@ -69,24 +68,13 @@ uint findFelt(ObjectData body, vec3 place, float radius) {
   uint i = gl_LocalInvocationIndex;
   sliceBegin = body.clusters.x + nodes * i / gl_WorkGroupSize.x;
   sliceEnd = body.clusters.x + nodes * (i + 1u) / gl_WorkGroupSize.x;
-  // Most find few, and need not walk again to put them.
-  uint first[firstFelt];
   uint count = 0u;
   uint at = body.clusters.x;
-  uint afterFirst = at;
-  for (uint found = nextFelt(at, place, radius); found != noCluster; found = nextFelt(at, place, radius)) {
-    if (count < firstFelt) {
-      first[count] = found;
-      afterFirst = at;
-    }
-    ++count;
-  }
+  while (nextFelt(at, place, radius) != noCluster) ++count;
   uint all;
-  uint begin = groupPlaceFor(count, all);
-  uint end = min(begin + count, mostFelt);
-  for (uint k = 0u; k < firstFelt; ++k)
-    if (begin + k < end) putFelt(begin + k, first[k]);
-  for (uint next = begin + firstFelt; next < end; ++next) putFelt(next, nextFelt(afterFirst, place, radius));
+  uint next = groupPlaceFor(count, all);
+  at = body.clusters.x;
+  for (; count > 0u && next < mostFelt; --count) putFelt(next++, nextFelt(at, place, radius));
   barrier();
   return min(all, mostFelt);
 }
