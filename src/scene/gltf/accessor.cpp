@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace opaline::scene {
 
@@ -157,8 +158,10 @@ std::vector<T> GltfAccessors::read(int index, int components, std::optional<std:
   const auto& sparse = accessor.sparse;
   const int indexSize =
       tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(sparse.indices.componentType));
+  // Versions of the library differ in whether sparse offsets have a sign.
   if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
-      sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 || indexSize <= 0) {
+      std::cmp_less(sparse.indices.byteOffset, 0) || std::cmp_less(sparse.values.byteOffset, 0) ||
+      indexSize <= 0) {
     failGltf(input_, fmt::format("the sparse part of accessor {} must replace 0 to {} elements, by "
                                  "unsigned indices, from offsets of at least 0",
                                  index, accessor.count));

@@ -62,6 +62,26 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::str
   }
 }
 
+/// Every function that the library may call: versions that miss one keep their own, which would
+/// read any path. Some versions also ask for sizes before they read, for a limit that
+/// readWholeFile() has anyway.
+template <typename Callbacks>
+Callbacks callbacksOf(FileAccess& access) {
+  Callbacks callbacks{};
+  callbacks.FileExists = fileExists;
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = readWholeFile;
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                void*) { return false; };
+  if constexpr (requires { callbacks.GetFileSizeInBytes; })
+    callbacks.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string&, void*) {
+      *bytes = 0;
+      return true;
+    };
+  callbacks.user_data = &access;
+  return callbacks;
+}
+
 bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
                const unsigned char* bytes, int size, void*) {
   image->image.assign(bytes, bytes + size);
@@ -154,8 +174,7 @@ tinygltf::Model readGltf(const Input& input) {
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keepImage, nullptr);
-  reader.SetFsCallbacks({fileExists, [](const std::string& path, void*) { return path; },
-                         readWholeFile, nullptr, &access});
+  reader.SetFsCallbacks(callbacksOf<tinygltf::FsCallbacks>(access));
   tinygltf::Model model;
   std::string error;
   std::string warning;

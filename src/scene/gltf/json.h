@@ -39,8 +39,7 @@ std::optional<std::array<double, Count>> gltfNumbers(const tinygltf::Value& obje
 }
 
 /// An extension of a material, or an object without keys.
-inline const tinygltf::Value& gltfExtension(const tinygltf::Material& material,
-                                            const std::string& name) {
+inline const tinygltf::Value& gltfExtension(const tinygltf::Material& material, const char* name) {
   static const tinygltf::Value none;
   const auto found = material.extensions.find(name);
   return found == material.extensions.end() ? none : found->second;
