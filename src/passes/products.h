@@ -225,7 +225,8 @@ struct Clusters {
   std::uint32_t innerCount = 0;
   std::uint32_t smallInnerCount = 0;  ///< those of few clusters, which come first
   gpu::Buffer inner;                  ///< shared::InnerNode
-  gpu::Buffer lists;                  ///< interaction lists: shared::roomOfList a tile
+  gpu::Buffer lists;                  ///< interaction lists: roomOfList a tile
+  std::uint32_t roomOfList = 0;       ///< of numbers
   gpu::Buffer clusters;               ///< shared::Cluster
   gpu::Buffer nodes;                  ///< shared::ClusterNode
   gpu::Buffer entries;                ///< shared::Entry a cluster for each light, then

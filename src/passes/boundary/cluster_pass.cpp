@@ -25,6 +25,16 @@ std::uint32_t roomOfBeamList(std::uint32_t nodes, std::size_t groups) {
   return std::min(nodes, static_cast<std::uint32_t>(std::clamp<std::size_t>(ofOne, 64, 16384)) - 1);
 }
 
+// Room of a tile's interaction list. Where many thin parts lie beside each other, thousands of
+// nodes act on a tile, and it takes twice as long to find them again in each step of the solver as
+// to keep them. Lists that are longer than the least take no more than 16 MiB.
+std::uint32_t roomOfList(std::uint32_t nodes, std::size_t tiles) {
+  constexpr std::size_t ofAll = std::size_t{1} << 22U;
+  const std::size_t ofOne = ofAll / std::max<std::size_t>(tiles, 1);
+  const std::size_t room = std::max<std::size_t>(ofOne, shared::leastRoomOfList);
+  return static_cast<std::uint32_t>(std::min<std::size_t>(room, std::size_t{nodes} + 1));
+}
+
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 48;
 
@@ -180,8 +190,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.tiles = gpu::makeBuffer(device, "tiles of clusters", tiles, clusterBuffer);
   clusters.groupCount = static_cast<std::uint32_t>(groups.size());
   clusters.groups = gpu::makeBuffer(device, "groups of clusters", groups, clusterBuffer);
+  clusters.roomOfList = roomOfList(clusters.tree.nodeCount, tiles.size());
   clusters.lists =
-      makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * shared::roomOfList);
+      makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * clusters.roomOfList);
   const std::vector<shared::InnerNode> inner = innerNodesOf(made);
   clusters.innerCount = static_cast<std::uint32_t>(inner.size());
   clusters.smallInnerCount =
@@ -279,7 +290,9 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
                  .clusterNodes = clusters.nodes,
                  .clusters = clusters.clusters,
                  .lists = clusters.lists},
-                {.tileCount = clusters.tileCount, .openingAngle = inputs.openingAngle});
+                {.tileCount = clusters.tileCount,
+                 .openingAngle = inputs.openingAngle,
+                 .roomOfList = clusters.roomOfList});
   commands.dispatchGroups(clusters.tileCount, roundsOfWalk);
 }
 

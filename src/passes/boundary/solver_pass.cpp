@@ -173,7 +173,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .solution = order.solution,
                  .atSurface = atSurface,
                  .nodeCount = clusters.tree.nodeCount,
-                 .densityGroups = densityGroups(clusters)});
+                 .densityGroups = densityGroups(clusters),
+                 .roomOfList = clusters.roomOfList});
   if (step > 0)
     commands.dispatchIndirect(solver.states,
                               inState(order, offsetof(shared::SolverState, groupsOfProduct)));

@@ -23,7 +23,7 @@ constexpr std::size_t bytesOfSurfel =
 constexpr std::size_t bytesOfCluster = std::max(
     {(shared::maxLights + 1) * sizeof(shared::Entry), shared::maxPoints * sizeof(shared::BeamPoint),
      (shared::maxSolverSteps + 1) * sizeof(shared::vec4),
-     shared::roomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile});
+     shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile});
 
 }  // namespace
 

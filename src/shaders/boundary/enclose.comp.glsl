@@ -20,6 +20,7 @@ layout(std430, set = 0, binding = 6) writeonly buffer Lists { uint lists[]; };
 layout(push_constant) uniform Push {
   uint tileCount;
   float openingAngle;
+  uint roomOfList;
 };
 
 // What leaves so many lengths of extinction away does not arrive.

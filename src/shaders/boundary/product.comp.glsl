@@ -39,6 +39,7 @@ layout(push_constant) uniform Push {
   uint atSurface;      // 1: light has entered there
   uint nodeCount;
   uint densityGroups;  // of the dispatch before the next product
+  uint roomOfList;
 };
 
 #include "lib/solver_step.glsl"

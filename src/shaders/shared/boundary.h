@@ -87,8 +87,9 @@ struct ClusterGroup {
 };
 
 /// The interaction list of a tile: how many nodes act on it, and then which. Where there are more
-/// than it has room for, it has none, and they are found again each time.
-OPALINE_BOUNDARY_CONSTANT roomOfList = 1024u;
+/// than it has room for, it has none, and they are found again each time. Lists have room for so
+/// many numbers at least, or for all nodes.
+OPALINE_BOUNDARY_CONSTANT leastRoomOfList = 1024u;
 
 /// Light of one kind that enters through a cluster.
 struct Entry {
