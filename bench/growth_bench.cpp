@@ -70,7 +70,7 @@ void printJson(const std::vector<Growth>& growths) {
                     {"stage", growth.stage},
                     {"sizes", sizes},
                     {"seconds", growth.seconds},
-                    {"peakBytes", growth.peakBytes},
+                    {"peak_bytes", growth.peakBytes},
                     {"exponent", exponent(growth.seconds, 2)}});
   }
   fmt::print("{}\n", list.dump(1));
