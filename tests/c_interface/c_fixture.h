@@ -59,7 +59,17 @@ inline OpalineRenderOptions smallDipole() {
   options.size = sizeof options;
   EXPECT_EQ(opalineDefaultRenderOptions(&options), OpalineOk);
   options.width = options.height = edge;
+  options.maxSurfels = 4096;
   options.transport = OpalineTransportDipole;
+  return options;
+}
+
+/// smallDipole() in C++.
+inline opaline::RenderOptions sameDipole() {
+  opaline::RenderOptions options;
+  options.width = options.height = edge;
+  options.maxSurfels = 4096;
+  options.transport = opaline::Transport::Dipole;
   return options;
 }
 
@@ -119,11 +129,8 @@ inline opaline::Scene sameScene(const Body& body) {
 /// Its picture in C++, by the renderer behind a handle, which has compiled what it needs.
 inline std::vector<float> samePicture(const opaline::Scene& scene, const Drawn& drawn,
                                       opaline::Aov aov = opaline::Aov::Exitance) {
-  opaline::RenderOptions options;
-  options.width = options.height = edge;
-  options.transport = opaline::Transport::Dipole;
   drawn.renderer->renderer.setScene(scene);
-  return drawn.renderer->renderer.render(options, {aov}).images[0].rgba;
+  return drawn.renderer->renderer.render(sameDipole(), {aov}).images[0].rgba;
 }
 
 }  // namespace opaline_c_test

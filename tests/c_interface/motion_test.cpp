@@ -128,10 +128,7 @@ TEST(CInterfaceMotion, SoftBodiesMoveAsThoseOfTheCppInterface) {
   sameBody.step(0.1);
   const std::vector<float> pulled = drawn.picture(OpalineAovPosition);
   EXPECT_NE(pulled, atRest);
-  opaline::RenderOptions small;
-  small.width = small.height = edge;
-  small.transport = opaline::Transport::Dipole;
-  EXPECT_EQ(pulled, renderer.render(small, {opaline::Aov::Position}).images[0].rgba);
+  EXPECT_EQ(pulled, renderer.render(sameDipole(), {opaline::Aov::Position}).images[0].rgba);
   std::int32_t moves = 0;
   ASSERT_EQ(opalineSoftBodyMoves(made, &moves), OpalineOk);
   EXPECT_EQ(moves, 1);

@@ -41,9 +41,7 @@ TEST(CPattern, DrawsWhatTheCppInterfaceDraws) {
   ofMap.floatCount = map.size();
   ASSERT_EQ(opalineRender(drawn.view.get(), &ofMap, 1), OpalineOk) << opalineLastError();
 
-  opaline::RenderOptions same;
-  same.width = same.height = edge;
-  same.transport = opaline::Transport::Dipole;
+  opaline::RenderOptions same = sameDipole();
   same.sum = opaline::Sum::Pattern;
   same.pattern = {.nearRings = 1, .nearSpacing = 5, .farDistance = 12};
   same.dsmSize = 64;

@@ -49,13 +49,13 @@ class Table1(ProgramTest):
 
 class Methods(ProgramTest):
     # Even light, so that a few triangles with smooth normals are lit alike by all.
-    SCENE = ("t.ply", "--diagonal-mm", 10, "--medium", "marble", "--ambient", "1,1,1")
+    SCENE = ("t.ply", "--diagonal-mm", 5, "--medium", "marble", "--ambient", "1,1,1")
     WAYS = (("pattern", "vertex"), ("pattern", "fragment"), ("tree", "vertex"), ("tree", "fragment"))
 
     def test_rows(self):
         self.write("t.ply", tetrahedron(1))
         view = ("--aov", "exitance", "--size", "24x24", "-o", "truth.exr")
-        self.succeed("reference", "--path", "--samples", 20000, *self.SCENE, *view)
+        self.succeed("reference", "--path", "--samples", 4000, *self.SCENE, *view)
         run = self.succeed("bench", "methods", *self.SCENE, "--size", 24, "--frames", 1, "--truth", "truth.exr", "--all",
                            "--plot", "plot.svg", "--json")
         self.assertEqual(keys(run.json()), documented("bench methods"))
@@ -138,11 +138,11 @@ class Methods(ProgramTest):
 class Scaling(ProgramTest):
     TIMES = {"gather_ms", "scatter_ms", "nearby_ms", "frame_ms", "scatter_ratio", "frame_ratio"}
 
-    def measure(self, *options):
+    def measure(self, *options, size=32):
         self.write("t.ply", tetrahedron(1))
         # Its edges of 10 mm are long beside the mean free path of 0.4 mm.
         return self.succeed("bench", "scaling", "t.ply", "--diagonal-mm", 20, "--sigma-s", "2.5,2.5,2.5", "--sigma-a",
-                            "0.02,0.01,0", "--size", 32, "--frames", 1, "--max-surfels", 16384, *options)
+                            "0.02,0.01,0", "--size", size, "--frames", 1, "--max-surfels", 16384, *options)
 
     def assert_fits(self, rows, time, exponent):
         """What is left of the logarithms has no slope."""
@@ -206,7 +206,7 @@ class Scaling(ProgramTest):
         self.assertIn("<svg", (self.folder / "plot.svg").read_text())
 
     def test_tables(self):
-        out = self.measure().out
+        out = self.measure(size=16).out
         for part in ("every budget is too small", "sigma_tr", "1.30", "tolerance", "evaluations"):
             self.assertIn(part, out)
 

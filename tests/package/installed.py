@@ -25,17 +25,20 @@ def cached(name):
 
 
 class Installed(unittest.TestCase):
-    """Installs it once, into an empty folder."""
+    """Installs it once for all tests, into an empty folder that is there until they end."""
+
+    temporary = None
 
     @classmethod
     def setUpClass(cls):
-        temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(temporary.cleanup)
-        cls.folder = pathlib.Path(temporary.name)
-        cls.prefix = cls.folder / "prefix"
+        if Installed.temporary:
+            return
+        Installed.temporary = tempfile.TemporaryDirectory()
+        Installed.folder = pathlib.Path(cls.temporary.name)
+        Installed.prefix = cls.folder / "prefix"
         done = run(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
         assert done.returncode == 0, done.stderr
-        cls.shared = cached("BUILD_SHARED_LIBS") in ("ON", "TRUE", "1")
+        Installed.shared = cached("BUILD_SHARED_LIBS") in ("ON", "TRUE", "1")
 
     def succeed(self, *words, **more):
         done = run(*words, **more)

@@ -97,7 +97,7 @@ PYTHON = """import sys, opaline
 scene, seconds, site, *files = sys.argv[1:]
 renderer = opaline.Renderer(opaline.load(scene))
 renderer.set_time(float(seconds))
-frame = renderer.render(96, 64, ["radiance", "exitance"], site=site)
+frame = renderer.render(96, 64, ["radiance", "exitance"], site=site, max_surfels=8192, max_clusters=1024)
 for file, name in zip(files, frame):
     frame.save(file, name)
 """
@@ -151,8 +151,8 @@ class SamePictures(Installed):
                     self.assertEqual(contents(files), contents(drawn("python", 1.3, site)))
                 if program.exists():
                     ours = self.folder / f"program_{site}.exr"
-                    self.succeed(program, "render", scene, "--time", 1.3, "--size", "96x64", "--site", site, "--aov", "radiance",
-                                 "-o", ours, "--quiet")
+                    self.succeed(program, "render", scene, "--time", 1.3, "--size", "96x64", "--site", site, "--max-surfels", "8192",
+                                 "--max-clusters", "1024", "--aov", "radiance", "-o", ours, "--quiet")
                     self.assertEqual(json.loads(self.succeed(program, "compare", ours, files[0], "--json"))["max_abs"], 0)
         for now, still in zip(contents(moved["auto"]), contents(drawn("cpp", 0, "auto"))):
             self.assertNotEqual(now, still, "the clip moves them")

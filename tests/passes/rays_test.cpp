@@ -197,13 +197,13 @@ Body threeObjects() {
 }
 
 TEST_P(RaysTest, MeetsTheBear) {
-  expectExact(device(), bodyOf(builtin::bearMesh()), 100, 1 << 20, 1500);
+  expectExact(device(), bodyOf(builtin::bearMesh()), 100, 1 << 20, 500);
 }
 
 TEST_P(RaysTest, MeetsTheTwistedBear) {
   Body body = bodyOf(builtin::bearMesh());
   body.move(twisted);
-  expectExact(device(), body, 100, 1 << 20, 1500);
+  expectExact(device(), body, 100, 1 << 20, 500);
 }
 
 TEST_P(RaysTest, MeetsTheBunny) {
@@ -212,7 +212,7 @@ TEST_P(RaysTest, MeetsTheBunny) {
   LoadOptions load;
   load.diagonalMm = 50.0F;
   const Body body = bodyOf(loadScene(*file, load).objects[0].mesh);
-  expectExact(device(), body, 100, 1 << 20, 1000);
+  expectExact(device(), body, 100, 1 << 20, 400);
   expectEvenCrossings(device(), body, 100, 1e-5);
 }
 

@@ -19,4 +19,16 @@ def scene(medium="marble"):
 
 
 def small(renderer, *aovs, **more):
-    return renderer.render(24, 16, aovs or "position", **{"transport": "dipole", **more})
+    return renderer.render(24, 16, aovs or "position", **{"transport": "dipole", "max_surfels": 4096, **more})
+
+
+_shared = []
+
+
+def shared_renderer(scene):
+    """One for all tests of a module, which compiles its shaders once; shows the scene."""
+    if _shared:
+        _shared[0].set_scene(scene)
+    else:
+        _shared.append(opaline.Renderer(scene))
+    return _shared[0]

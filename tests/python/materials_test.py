@@ -3,6 +3,7 @@
 import unittest
 
 import numpy as np
+from bodies import shared_renderer
 
 import opaline
 
@@ -16,7 +17,7 @@ def picture_of(body, width=16, height=16, specular=False):
     made.lights = [opaline.DirectionalLight((0, 0, 1), irradiance=(1, 1, 1))]
     made.ambient = (0, 0, 0)
     made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
-    return opaline.Renderer(made).render(width, height, transport="dipole", antialias=1, specular=specular)["radiance"]
+    return shared_renderer(made).render(width, height, transport="dipole", max_surfels=4096, antialias=1, specular=specular)["radiance"]
 
 
 class Materials(unittest.TestCase):
@@ -48,7 +49,7 @@ class Materials(unittest.TestCase):
         made.lights = [opaline.DirectionalLight((0, 0, -1), irradiance=(1, 1, 1))]
         made.ambient = (0, 0, 0)
         made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
-        behind = opaline.Renderer(made).render(16, 16, antialias=1, specular=False)["radiance"]
+        behind = shared_renderer(made).render(16, 16, max_surfels=4096, antialias=1, specular=False)["radiance"]
         np.testing.assert_allclose(behind[8, 8, :3] * np.pi, (0.25, 0.5, 0), atol=1e-3)
 
     def test_normals_are_those_given(self):
@@ -70,10 +71,10 @@ class Materials(unittest.TestCase):
         scene = opaline.bear("jade")
         scene.camera = opaline.Camera((0, 0, 110))
         scene.lights = [opaline.RectangleLight((40, 40, 60), (-4, 14, -6), (12, 0, -8), radiance=(9, 9, 9))]
-        renderer = opaline.Renderer(scene)
+        renderer = shared_renderer(scene)
 
         def picture(**options):
-            return renderer.render(48, 48, transport="dipole", **options)["radiance"][..., :3]
+            return renderer.render(48, 48, transport="dipole", max_surfels=8192, **options)["radiance"][..., :3]
         smooth, rough = (picture(roughness=value) for value in (0.1, 0.6))
         self.assertGreater(smooth.max(), 1.5 * rough.max())
         # The body's own roughness goes before the picture's. Its lobes are interpolated between a few roughnesses.
@@ -95,9 +96,9 @@ class Materials(unittest.TestCase):
         made.lights = [opaline.DirectionalLight((0, 0, 1), irradiance=(1, 1, 1))]
         made.ambient = (0, 0, 0)
         made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
-        renderer = opaline.Renderer(made)
+        renderer = shared_renderer(made)
         renderer.set_material(0, opaque_color=(0.2, 0.4, 0.6))
-        found = renderer.render(8, 8, transport="dipole")["radiance"]
+        found = renderer.render(8, 8, transport="dipole", max_surfels=4096)["radiance"]
         np.testing.assert_allclose(found[4, 4, :3] * np.pi, (0.2, 0.4, 0.6), atol=2e-3)
         with self.assertRaises(opaline.UsageError):
             renderer.set_material(0, "jade")

@@ -99,9 +99,9 @@ class Frames(unittest.TestCase):
             made = opaline.load(file)
             for name in ("radiance", "exitance"):
                 picture = pathlib.Path(folder, f"{name}.exr")
-                subprocess.run([os.environ["OPALINE"], "render", file, "--size", "64x48", "--aov", name, "--quiet", "-o", picture],
-                               check=True)
-                ours = opaline.Renderer(made).render(64, 48, name)[name]
+                subprocess.run([os.environ["OPALINE"], "render", file, "--size", "64x48", "--max-surfels", "8192", "--max-clusters",
+                                "1024", "--aov", name, "--quiet", "-o", picture], check=True)
+                ours = opaline.Renderer(made).render(64, 48, name, max_surfels=8192, max_clusters=1024)[name]
                 np.testing.assert_array_equal(ours, opaline.read_image(picture))
 
     def test_threads_share_a_renderer(self):

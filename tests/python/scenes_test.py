@@ -6,7 +6,7 @@ import tempfile
 import unittest
 
 import numpy as np
-from bodies import CORNERS, FACES, scene, small
+from bodies import CORNERS, FACES, scene, shared_renderer, small
 
 import opaline
 
@@ -61,18 +61,18 @@ class Scenes(unittest.TestCase):
     def test_light_is_linear(self):
         made = scene()
         made.lights, made.ambient = [opaline.DirectionalLight((0.2, 0.3, 1), irradiance=(1, 2, 4))], (0, 0, 0)
-        once = small(opaline.Renderer(made), "exitance")["exitance"]
+        once = small(shared_renderer(made), "exitance")["exitance"]
         made.lights = [opaline.DirectionalLight((0.2, 0.3, 1), irradiance=(2, 4, 8))]
-        np.testing.assert_allclose(small(opaline.Renderer(made), "exitance")["exitance"][..., :3], 2 * once[..., :3], rtol=1e-5)
+        np.testing.assert_allclose(small(shared_renderer(made), "exitance")["exitance"][..., :3], 2 * once[..., :3], rtol=1e-5)
         self.assertGreater(once[..., :3].max(), 0.01)
 
     def test_an_environment_of_one_colour_is_ambient_light(self):
         made = scene()
         made.lights, made.ambient = [], (.5, .25, 1)
-        expected = small(opaline.Renderer(made), "exitance")["exitance"]
+        expected = small(shared_renderer(made), "exitance")["exitance"]
         made.ambient = (0, 0, 0)
         made.set_environment(np.broadcast_to(np.float32([.5, .25, 1]), (16, 32, 3)))
-        np.testing.assert_allclose(small(opaline.Renderer(made), "exitance")["exitance"], expected, rtol=.01, atol=1e-4)
+        np.testing.assert_allclose(small(shared_renderer(made), "exitance")["exitance"], expected, rtol=.01, atol=1e-4)
 
     def test_objects_are_shared(self):
         made = scene()

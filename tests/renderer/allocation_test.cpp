@@ -19,7 +19,7 @@ namespace {
 using namespace test;
 
 constexpr int warmUp = 4;
-constexpr int steady = 6;
+constexpr int steady = 4;
 
 Scene moving() {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {0, 0, 25}, 6);
@@ -80,19 +80,18 @@ Scene changing() {
 
 RenderOptions tinyOptions() {
   RenderOptions options;
-  options.width = options.height = 32;
-  options.maxSurfels = 2048;  // coarse: all passes of a frame have something to do
-  options.maxClusters = 256;
-  options.dsmSize = 128;
-  options.shadowSize = 128;
+  options.width = options.height = 16;
+  options.maxSurfels = 1024;  // coarse: all passes of a frame have something to do
+  options.maxClusters = 128;
+  options.dsmSize = 64;
+  options.shadowSize = 64;
   return options;
 }
 
 /// Allocations of this thread in the frames after the warm-up.
 template <typename BeforeFrame>
-std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& options,
-                                      const FrameOrder& order, const BeforeFrame& before) {
-  View view(renderer, options);
+std::size_t allocationsOfSteadyFrames(Renderer& renderer, View& view, const FrameOrder& order,
+                                      const BeforeFrame& before) {
   Frame frame;
   std::size_t atFirst = 0;
   for (int i = 0; i < warmUp + steady; ++i) {
@@ -105,6 +104,13 @@ std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& o
   const std::size_t found = allocations() - atFirst;
   view.collect(frame);
   return found;
+}
+
+template <typename BeforeFrame>
+std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& options,
+                                      const FrameOrder& order, const BeforeFrame& before) {
+  View view(renderer, options);
+  return allocationsOfSteadyFrames(renderer, view, order, before);
 }
 
 TEST(AllocationTest, ClipsThatChangeLightsAndMaterialsAllocateNothing) {
@@ -149,15 +155,15 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
         options.sum = sum;
         options.site = site;
         const auto nothing = [] {};
-        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {.aovs = {}}, nothing), 0U);
+        View view(renderer, options);
+        EXPECT_EQ(allocationsOfSteadyFrames(renderer, view, {.aovs = {}}, nothing), 0U);
         EXPECT_EQ(
             allocationsOfSteadyFrames(
-                renderer, options,
+                renderer, view,
                 {.aovs = {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}}, nothing),
             0U);
         if (sum == Sum::Pattern) continue;
-        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {.aovs = {Aov::Surfels}}, nothing),
-                  0U);
+        EXPECT_EQ(allocationsOfSteadyFrames(renderer, view, {.aovs = {Aov::Surfels}}, nothing), 0U);
       }
 }
 

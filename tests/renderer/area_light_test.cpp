@@ -38,7 +38,8 @@ Scene plate(const Medium& medium, float halfMm = 20, int cells = 64) {
 // Of surfels, where the camera sees them.
 RenderOptions options() {
   RenderOptions options = smallOptions();
-  options.width = options.height = 48;
+  options.maxSurfels = 65'536;
+  options.width = options.height = 32;
   return options;
 }
 
@@ -302,7 +303,7 @@ TEST_F(AreaLightTest, ALargeOneNearABodyIsManySmallOnes) {
   constexpr float partMm = halfMm / across;
   RenderOptions boundary = options();
   boundary.transport = Transport::Boundary;
-  boundary.maxSurfels = 8192;
+  boundary.maxSurfels = 4096;
   for (const Medium& medium : {marble(), skin()}) {
     Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), medium, {12, 6, 24}, 5.5F);
     scene.lighting.areas = {RectangleLight{{0, 9, 0}, {halfMm, 0, 0}, {0, 0, halfMm}, {4, 4, 4}}};

@@ -14,7 +14,7 @@ namespace opaline::test {
 
 // ∫ L F_t μ over the light, by places all over it and without occluders. The plate lies at y = 0.
 inline double byQuadrature(const AreaLight& light, const Vector& position, double eta,
-                           const Vector& normal = {0, 1, 0}, int steps = 256) {
+                           const Vector& normal = {0, 1, 0}, int steps = 96) {
   double sum = 0;
   for (int i = 0; i < steps; ++i)
     for (int k = 0; k < steps; ++k) {

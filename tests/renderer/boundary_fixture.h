@@ -15,7 +15,7 @@ namespace opaline::test {
 
 /// With fewer sources than usual, since most of the time goes into their sum at each of them.
 inline RenderOptions boundaryOptions(int edge, int bounces = 0) {
-  RenderOptions options = smallOptions();
+  RenderOptions options = finelyDivided(smallOptions());
   options.width = options.height = edge;
   options.transport = Transport::Boundary;
   options.bounces = bounces;

@@ -116,7 +116,7 @@ void expectIntegral(Scene scene, const std::vector<Deformer>& deformers, int edg
   scene.deformers = deformers;
   scene.lighting = {};
   scene.lighting.ambient = {1, 1, 1};
-  RenderOptions options = smallOptions();
+  RenderOptions options = finelyDivided(smallOptions());
   options.dsmSize = 512;
   options.width = options.height = edge;
   options.sum = Sum::All;
@@ -235,7 +235,7 @@ Image carried(const Rigid& motion, const RenderOptions& options) {
 const Rigid noMotion{{Vector{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
 TEST_F(DeformedTest, RigidMotionChangesNothing) {
-  RenderOptions options = pictureOptions();
+  RenderOptions options = finelyDivided(pictureOptions());
   options.specular = false;
   EXPECT_LT(relativeRms(carried(someMotion(), options), carried(noMotion, options)), 1e-3);
 }

@@ -140,7 +140,7 @@ TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
 
 // Of a sphere that stands wholly above a surface element a part (R/r)² cos θ of its sky is hidden.
 TEST_F(GroundTest, TheBallHidesItsPartOfTheSky) {
-  RenderOptions options = GroundTest::options();
+  RenderOptions options = finelyDivided(GroundTest::options());
   options.bounces = 0;
   Scene scene = ballOnGround(darkness(), {0.5F, 0.5F, 0.5F});
   scene.lighting.ambient = {1, 1, 1};

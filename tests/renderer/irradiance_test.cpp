@@ -125,7 +125,7 @@ TEST_P(IrradianceTest, AShadowIsBlackInside) {
   scene.objects.push_back({"plate", box({0, 10, 0}, {9, 0.5F, 9}, 8), marble()});
   const Vector toLight = unit({0.5, 1, 0});
   scene.lighting.directional = {{toVec3(toLight), {2, 2, 2}}};
-  RenderOptions wanted = options();
+  RenderOptions wanted = finelyDivided(options());
   wanted.bounces = 2;
   const auto images = render(scene, wanted, {Aov::Position, Aov::Irradiance});
   // The plate's shadow begins at its lower side, 9.5 mm up, on the one hand, and at its upper, 10.5

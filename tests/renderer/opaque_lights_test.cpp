@@ -120,9 +120,10 @@ TEST_F(OpaqueLightsTest, TheirPenumbraIsTheAreaOfASegment) {
 // A penumbra that is narrower than a pixel stays as narrow as a few.
 TEST_F(OpaqueLightsTest, TheShadowOfASmallOneIsSharp) {
   constexpr float radius = 0.05F;
+  constexpr int pixels = 64;
   const Scene scene = plateBelowHalfPlane(radius);
-  const RenderOptions options = OpaqueLightsTest::options(128);
-  const double pixelMm = 2 * 40 * std::tan(12.5 * std::numbers::pi / 180) / 128;
+  const RenderOptions options = OpaqueLightsTest::options(pixels);
+  const double pixelMm = 2 * 40 * std::tan(12.5 * std::numbers::pi / 180) / pixels;
   for (const Found& found : irradianceOf(scene, options)) {
     const double x = found.position[0];
     if (std::abs(x) > 6 || std::abs(x) < double{radius} + 2 * pixelMm) continue;

@@ -258,7 +258,7 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   const double x = static_cast<double>(halfEdgeMm / above);
   const double root = std::sqrt(1 + x * x);
   const double factor = 4 * x / root * std::atan(x / root) / pi;
-  RenderOptions options = OpaqueTest::options();
+  RenderOptions options = finelyDivided(OpaqueTest::options());
   options.bounces = 1;
   const Vector found =
       toVector(render(both, options, {Aov::Radiance})[0].pixel(edgePixels / 2, edgePixels / 2));
@@ -294,7 +294,7 @@ TEST_F(OpaqueTest, LightOfSmallThingsIsEven) {
       }
     return 4 * half * half * sum / (parts * parts);
   };
-  RenderOptions options = OpaqueTest::options();
+  RenderOptions options = finelyDivided(OpaqueTest::options());
   options.bounces = 1;
   const auto images = render(scene, options, {Aov::Radiance, Aov::Position, Aov::Object});
   double squares = 0;

@@ -114,7 +114,7 @@ TEST_F(FrameRecordingTest, EveryChangeIsSeen) {
       [](RenderOptions& o, FrameOrder&) { o.roughness = 0.7F; },
       [](RenderOptions& o, FrameOrder&) { o.width = 40; },
       [](RenderOptions& o, FrameOrder&) { o.shadowSize = 64; },
-      [](RenderOptions& o, FrameOrder&) { o.maxSurfels = 4096; },
+      [](RenderOptions& o, FrameOrder&) { o.maxSurfels = 2048; },
       [](RenderOptions& o, FrameOrder&) { o.maxClusters = 128; },
       [](RenderOptions& o, FrameOrder& f) {
         o.treeLevel = 2;

@@ -100,7 +100,7 @@ class RendererTestBase : public Base {
 
 using RendererTest = RendererTestBase<testing::Test>;
 
-/// Small pictures of everything, by the transport whose values stand on paper.
+/// Small pictures of everything, coarsely divided, by the transport whose values stand on paper.
 inline RenderOptions smallOptions() {
   RenderOptions options;
   options.transport = Transport::Dipole;
@@ -108,7 +108,16 @@ inline RenderOptions smallOptions() {
   options.height = 64;
   options.dsmSize = 256;
   options.shadowSize = 512;
+  options.maxSurfels = 8192;
+  options.maxClusters = 1024;
   options.antialias = 1;
+  return options;
+}
+
+/// Divided as finely as those of users, where few surfels are not exact enough.
+inline RenderOptions finelyDivided(RenderOptions options) {
+  options.maxSurfels = RenderOptions{}.maxSurfels;
+  options.maxClusters = RenderOptions{}.maxClusters;
   return options;
 }
 

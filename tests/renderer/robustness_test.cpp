@@ -45,8 +45,9 @@ void expectLightIsSound(const std::string& what) {
     for (const Site site : {Site::Vertex, Site::Fragment}) {
       RenderOptions options = smallOptions();
       options.transport = transport;
-      options.maxClusters = 1000;
-      options.maxSurfels = 8192;
+      options.width = options.height = 32;
+      options.maxClusters = 256;
+      options.maxSurfels = 2048;
       options.site = site;
       expectSound(sharedRenderer().renderer->render(options, {Aov::Radiance, Aov::Exitance}).images,
                   what + (transport == Transport::Dipole ? ", dipole" : ", boundary"));
@@ -275,7 +276,7 @@ TEST_F(RobustnessTest, SizesAtTheEdges) {
   for (const Sizes& sizes : {Sizes{1, 1, 64, 64},
                              {3, 500, 128, 64},
                              {500, 3, 128, 256},
-                             {33, 17, 2048, 128},
+                             {33, 17, 1024, 128},
                              {17, 65, 64, 2048}}) {
     RenderOptions options = smallOptions();
     options.width = sizes.width;
@@ -355,8 +356,8 @@ TEST_F(RobustnessTest, SharedModelsAreBorne) {
     renderer().setScene(scene);
     RenderOptions options = smallOptions();
     options.transport = Transport::Boundary;
-    options.maxClusters = 1000;
-    options.maxSurfels = 20'000;
+    options.maxClusters = 256;
+    options.maxSurfels = 4096;
     expectSound(render(options, {Aov::Radiance, Aov::Exitance}), file.filename().string());
   }
 }

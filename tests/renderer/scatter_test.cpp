@@ -49,7 +49,7 @@ class SphereTest : public RendererTestBase<testing::TestWithParam<SphereCase>> {
 TEST_P(SphereTest, SurfelsGiveTheClosedForm) {
   const auto [radiusMm, transport, site, sum] = GetParam();
   const bool large = radiusMm > 10;
-  RenderOptions options = smallOptions();
+  RenderOptions options = finelyDivided(smallOptions());
   options.dsmSize = 512;
   options.width = options.height = large ? 16 : 24;
   options.sum = sum;

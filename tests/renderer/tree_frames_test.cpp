@@ -211,7 +211,7 @@ TEST_F(TreeFramesTest, EveryObjectIsOfItsOwnMedium) {
                                   {{6, 4, 0}, 2, 4, dense},
                                   {{-1, -4, 2}, 0.6F, 4, skin()}};
   for (const Site site : {Site::Fragment, Site::Vertex})
-    EXPECT_LT(largestDeviation(balls, treeFrameOptions(64, site)), 0.01);
+    EXPECT_LT(largestDeviation(balls, finelyDivided(treeFrameOptions(64, site))), 0.01);
 }
 
 // Balls that nearly touch, with surfels many mean free paths apart: what is nearby is of the same

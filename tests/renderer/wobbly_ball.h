@@ -37,7 +37,10 @@ inline RenderOptions optionsOf(const Method& method) {
   options.transport = method.transport;
   options.sum = method.sum;
   options.site = method.site;
-  options.maxClusters = 512;
+  options.width = options.height = 32;
+  options.dsmSize = options.shadowSize = 128;
+  options.maxSurfels = 4096;
+  options.maxClusters = 256;
   return options;
 }
 

@@ -225,7 +225,7 @@ TEST_F(SoftBodyTest, OddBodiesMove) {
   for (const auto& [name, mesh] : odd) {
     SCOPED_TRACE(name);
     SoftBodyOptions options;
-    options.cells = 16;
+    options.cells = 10;
     SoftBodyMotion body = make(mesh, options);
     EXPECT_LE(body.cage().nodes.size(), shared::maxSoftNodes);
     const Field rest = positionsOf(body);

@@ -12,9 +12,16 @@ ARGUMENTS = sys.argv[sys.argv.index("--") + 1:]
 FOLDER = pathlib.Path(ARGUMENTS[0])
 
 
-def install():
+def install(max_surfels=8192, max_clusters=1024):
+    """The add-on, with divisions as coarse as small pictures may have them."""
     bpy.ops.preferences.addon_install(filepath=os.environ["OPALINE_ADDON"])
     bpy.ops.preferences.addon_enable(module="opaline_blender")
+    from opaline_blender import final, live
+
+    # Stills share their renderer, as frames of an animation do, whose shaders then are compiled once.
+    bpy.app.handlers.render_complete.remove(final.forget)
+    of_all = live.LiveRenderer.render
+    live.LiveRenderer.render = lambda *words, **options: of_all(*words, max_surfels=max_surfels, max_clusters=max_clusters, **options)
     return use()
 
 

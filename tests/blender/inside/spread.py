@@ -9,7 +9,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import common
 
-common.install()
+common.install(max_surfels=65536, max_clusters=4096)
 
 
 def stage(method, radius, weight=1.0, color=(0.8, 0.6, 0.4), base=(0.8, 0.6, 0.4)):

@@ -27,6 +27,8 @@ int main(int count, char** values) {
   check(opalineDefaultRenderOptions(&options));
   options.width = width;
   options.height = height;
+  options.maxSurfels = 8192;
+  options.maxClusters = 1024;
   if (strcmp(values[3], "fragment") == 0) options.site = OpalineSiteFragment;
   check(opalineCreateView(renderer, &options, &view));
   float* pictures = malloc(2 * floats * sizeof(float));

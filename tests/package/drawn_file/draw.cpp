@@ -14,6 +14,8 @@ int main(int count, char** values) try {
   opaline::RenderOptions options;
   options.width = 96;
   options.height = 64;
+  options.maxSurfels = 8192;
+  options.maxClusters = 1024;
   if (std::string(values[3]) == "fragment") options.site = opaline::Site::Fragment;
   const auto images =
       renderer.render(options, {opaline::Aov::Radiance, opaline::Aov::Exitance}).images;
