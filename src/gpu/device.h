@@ -53,7 +53,7 @@ struct DeviceOptions {
 /// other, all of the shader for each, so that one is best. But Mesa's ends an invocation's loops
 /// after 65,535 rounds in all: what may take more than that of eight gets twice as many.
 struct WorkGroups {
-  std::uint32_t invocations = 64;
+  std::uint32_t invocations = 64;  ///< if less, one subgroup
   std::uint32_t invocationsOfLongWork = 64;
 };
 

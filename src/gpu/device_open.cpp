@@ -151,10 +151,10 @@ void Device::readProperties() {
   properties.pNext = &maintenance;
   ofInstance_.vkGetPhysicalDeviceProperties2(physical_, &properties);
   properties_ = properties.properties;
-  if (info_.type == DeviceType::Software) {
-    constexpr std::uint32_t least = 8;  // shared::maxClustersOfTile
+  constexpr std::uint32_t least = 8;  // shared::maxClustersOfTile
+  if (info_.type == DeviceType::Software && subgroups.subgroupSize >= least) {
     constexpr std::uint32_t most = 64;
-    workGroups_ = {std::clamp(subgroups.subgroupSize, least, most),
+    workGroups_ = {std::min(subgroups.subgroupSize, most),
                    std::clamp(subgroups.subgroupSize, 2 * least, most)};
   }
   largestBufferBytes_ = buffers.maxBufferSize;

@@ -47,7 +47,7 @@ VkImageCreateInfo infoOf(const ImageOptions& options) {
   info.extent = {options.width, options.height, 1};
   info.mipLevels = options.mipLevels;
   info.arrayLayers = options.layers;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.samples = options.samples;
   info.tiling = VK_IMAGE_TILING_OPTIMAL;
   info.usage = options.usage;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
@@ -128,11 +128,20 @@ std::size_t bytesPerTexel(VkFormat format) {
   }
 }
 
+VkSampleCountFlags sampleCountsOf(const Device& device, VkFormat format, VkImageUsageFlags usage) {
+  VkImageFormatProperties able{};
+  const VkResult result = device.instanceFunctions().vkGetPhysicalDeviceImageFormatProperties(
+      device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage, 0, &able);
+  return result == VK_SUCCESS ? able.sampleCounts : VkSampleCountFlags{VK_SAMPLE_COUNT_1_BIT};
+}
+
 GpuImage::GpuImage(Device& device, const ImageOptions& options) : GpuImage() {
   assert(options.width > 0 && options.height > 0 && options.layers > 0 && options.mipLevels > 0);
   assert(options.mipLevels <=
          static_cast<std::uint32_t>(std::bit_width(std::max(options.width, options.height))));
   assert(options.kind != ImageKind::Flat || options.layers == 1);
+  assert(options.samples == VK_SAMPLE_COUNT_1_BIT ||
+         (options.kind == ImageKind::Flat && options.mipLevels == 1));
   assert(options.kind != ImageKind::CubeArray ||
          (options.layers % 6 == 0 && options.width == options.height));
   device_ = &device;

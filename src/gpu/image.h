@@ -16,8 +16,11 @@ class Device;
 /// Of the formats that Opaline uses; 0 for any other.
 std::size_t bytesPerTexel(VkFormat format);
 
+/// How many samples a texel of an image of that format may have; one bit for each count.
+VkSampleCountFlags sampleCountsOf(const Device& device, VkFormat format, VkImageUsageFlags usage);
+
 enum class ImageKind {
-  Flat,       ///< sampler2D
+  Flat,       ///< sampler2D, or sampler2DMS of several samples
   Array,      ///< sampler2DArray
   CubeArray,  ///< samplerCubeArray; layers is a multiple of 6
 };
@@ -30,6 +33,7 @@ struct ImageOptions {
   std::uint32_t mipLevels = 1;
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkImageUsageFlags usage = 0;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   ImageKind kind = ImageKind::Flat;
   bool lent = false;  ///< others submit work to the queue that uses it
 };

@@ -166,15 +166,18 @@ struct Surfels {
   gpu::Buffer pieces;                 ///< shared::SurfelPiece
   std::uint32_t piecesPerSurfel = 1;  ///< that follow each other
   gpu::Buffer triangleOfPiece;        ///< uint, where normal textures want to know
-  gpu::Buffer sources;                ///< shared::Source, sourcesPerSurfel of each
-  gpu::Buffer normals;                ///< vec4 a surfel, unit
-  gpu::Buffer skyShares;              ///< vec4 a surfel: of the sky's irradiance, what enters
-  gpu::Buffer visibilities;           ///< of lights, where boundary transport reads them: a
-                                      ///< word for each and each piece, see lib/piece.glsl
-  std::uint32_t lights = 0;           ///< that there is room for
-  std::uint32_t count = 0;            ///< of surfels
-  gpu::Buffer nodes;                  ///< shared::TreeNode, depth first
-  gpu::Buffer boxes;                  ///< shared::NodeBox, one a node
+  gpu::Buffer piecesOfTriangles;      ///< for each triangle and the end where its pieces begin in
+                                      ///< the list of pieces that follows
+  std::uint32_t triangleCount = 0;
+  gpu::Buffer sources;       ///< shared::Source, sourcesPerSurfel of each
+  gpu::Buffer normals;       ///< vec4 a surfel, unit
+  gpu::Buffer skyShares;     ///< vec4 a surfel: of the sky's irradiance, what enters
+  gpu::Buffer visibilities;  ///< of lights, where boundary transport reads them: a
+                             ///< word for each and each piece, see lib/piece.glsl
+  std::uint32_t lights = 0;  ///< that there is room for
+  std::uint32_t count = 0;   ///< of surfels
+  gpu::Buffer nodes;         ///< shared::TreeNode, depth first
+  gpu::Buffer boxes;         ///< shared::NodeBox, one a node
   FittedTree tree;
   bool coarse = false;      ///< of any object: wants what NearbyPass adds
   gpu::Buffer vertexOrder;  ///< vertices, neighbours in space together
@@ -217,7 +220,8 @@ struct Clusters {
   gpu::Buffer patches;        ///< vec4 a patch: its middle, mm, and its area, mm²
   gpu::Buffer objectOfPatch;  ///< uint a patch
   FittedTree tree;
-  std::uint32_t count = 0;  ///< of clusters
+  std::uint32_t count = 0;           ///< of clusters
+  std::uint32_t partsOfSurfels = 1;  ///< of the largest, shared::surfelsOfPart
   std::uint32_t tileCount = 0;
   gpu::Buffer tiles;  ///< shared::ClusterTile
   std::uint32_t groupCount = 0;
@@ -227,6 +231,7 @@ struct Clusters {
   gpu::Buffer inner;                  ///< shared::InnerNode
   gpu::Buffer lists;                  ///< interaction lists: roomOfList a tile
   std::uint32_t roomOfList = 0;       ///< of numbers
+  gpu::Buffer around;                 ///< clusters felt in each tile: shared::roomOfAround
   gpu::Buffer clusters;               ///< shared::Cluster
   gpu::Buffer nodes;                  ///< shared::ClusterNode
   gpu::Buffer entries;                ///< shared::Entry a cluster for each light, then
@@ -272,6 +277,7 @@ struct KeptOfSeen {
                            ///< translucent ones mirror of bodies
   bool paint = false;      ///< of painted ones
   bool ofPixels = false;   ///< for passes that look at neighbours
+  bool drawn = false;      ///< triangles of all samples, if the device draws these at once
 
   bool operator==(const KeptOfSeen&) const = default;
 };
@@ -284,15 +290,18 @@ constexpr std::size_t askedLists = 4;
 /// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
-  gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
-  gpu::GpuImage depth;     ///< of each sample, or of one after the other
-  gpu::Buffer mixed;       ///< pixels that see several triangles
-  gpu::Buffer mixedCount;  ///< shared::SeenCount
-  gpu::Buffer list;        ///< surfaces; those of a pixel follow each other
-  gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
-  gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
-  gpu::Buffer materials;   ///< shared::SeenMaterial for each, of opaque surfaces and such as have
-                           ///< their own
+  gpu::GpuImage words;  ///< a layer for each sample; a pixel's surfaces are in the first layers
+  gpu::GpuImage depth;  ///< of each sample, or of one after the other
+  gpu::GpuImage drawn;  ///< triangles that all samples see, where these are drawn at once
+  gpu::GpuImage drawnDepth;
+  bool drawnAtOnce = false;  ///< of the picture that was recorded last
+  gpu::Buffer mixed;         ///< pixels that see several triangles
+  gpu::Buffer mixedCount;    ///< shared::SeenCount
+  gpu::Buffer list;          ///< surfaces; those of a pixel follow each other
+  gpu::Buffer counts;        ///< shared::SeenCount, of all and of parts
+  gpu::Buffer light;         ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::Buffer materials;     ///< shared::SeenMaterial for each, of opaque surfaces and such as have
+                             ///< their own
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
   std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find

@@ -77,7 +77,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
       const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
       kind = inside ? shared::bodyWithInside : shared::openBody;
     }
-    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F, firstPatch});
+    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F, firstPatch, 0});
     firstPatch += patchesOf(ranges.back());
   }
   return ranges;
@@ -103,6 +103,18 @@ std::vector<shared::ClusterTile> tilesOf(const surfels::ClusterDivision& made) {
       tiles.push_back({first, std::min(first + shared::maxClustersOfTile, end), object, 0});
   }
   return tiles;
+}
+
+std::uint32_t partsOf(const shared::ClusterRange& range) {
+  return (range.endSurfel - range.firstSurfel + shared::surfelsOfPart - 1) / shared::surfelsOfPart;
+}
+
+void tellTiles(const std::vector<shared::ClusterTile>& tiles,
+               std::vector<shared::ClusterRange>& ranges) {
+  for (std::uint32_t tile = 0; tile < tiles.size(); ++tile) {
+    for (std::uint32_t i = tiles[tile].firstCluster; i < tiles[tile].endCluster; ++i)
+      ranges[i].tile = tile;
+  }
 }
 
 // Tells tiles which they belong to.
@@ -175,7 +187,12 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
   clusters.tree = makeFittedTree(device, made.tree);
-  const std::vector<shared::ClusterRange> ranges = rangesOf(made, surface, surfels, kinds);
+  std::vector<shared::ClusterTile> tiles = tilesOf(made);
+  const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
+  std::vector<shared::ClusterRange> ranges = rangesOf(made, surface, surfels, kinds);
+  tellTiles(tiles, ranges);
+  for (const shared::ClusterRange& range : ranges)
+    clusters.partsOfSurfels = std::max(clusters.partsOfSurfels, partsOf(range));
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
   const std::vector<std::uint32_t> objectOfPatch = objectsOfPatches(ranges);
   clusters.patchCount = static_cast<std::uint32_t>(objectOfPatch.size());
@@ -184,8 +201,6 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.patches = makeRoom<shared::vec4>(device, "patches", clusters.patchCount);
   clusters.clusterOfSurfel = gpu::makeBuffer(device, "cluster of each surfel",
                                              clusterOfSurfel(made, surfels.count()), clusterBuffer);
-  std::vector<shared::ClusterTile> tiles = tilesOf(made);
-  const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
   clusters.tileCount = static_cast<std::uint32_t>(tiles.size());
   clusters.tiles = gpu::makeBuffer(device, "tiles of clusters", tiles, clusterBuffer);
   clusters.groupCount = static_cast<std::uint32_t>(groups.size());
@@ -193,6 +208,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.roomOfList = roomOfList(clusters.tree.nodeCount, tiles.size());
   clusters.lists =
       makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * clusters.roomOfList);
+  clusters.around =
+      makeRoom<std::uint32_t>(device, "clusters around tiles", tiles.size() * shared::roomOfAround);
   const std::vector<shared::InnerNode> inner = innerNodesOf(made);
   clusters.innerCount = static_cast<std::uint32_t>(inner.size());
   clusters.smallInnerCount =

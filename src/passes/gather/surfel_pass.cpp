@@ -52,6 +52,19 @@ std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made) {
   return triangles;
 }
 
+// Where each triangle's pieces begin, then all pieces in the order of their triangles.
+std::vector<std::uint32_t> piecesOfTriangles(const surfels::SurfelDivision& made,
+                                             const core::RestSurface& surface) {
+  const std::size_t offsets = surface.triangles.size() + 1;
+  std::vector<std::uint32_t> packed(offsets + made.pieces.size(), 0);
+  for (const surfels::Piece& piece : made.pieces) ++packed[piece.triangle + 1];
+  const auto list = packed.begin() + static_cast<std::ptrdiff_t>(offsets);
+  std::inclusive_scan(packed.begin(), list, packed.begin());
+  std::vector<std::uint32_t> next(packed.begin(), list);
+  for (std::uint32_t i = 0; i < made.pieces.size(); ++i) list[next[made.pieces[i].triangle]++] = i;
+  return packed;
+}
+
 std::vector<std::uint32_t> objectsOf(const surfels::SurfelDivision& made,
                                      const core::RestSurface& surface) {
   std::vector<std::uint32_t> objects(made.count());
@@ -85,6 +98,9 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   if (keepsTriangles)
     surfels.triangleOfPiece =
         gpu::makeBuffer(device, "triangles of pieces", trianglesOf(made), surfelBuffer);
+  surfels.triangleCount = static_cast<std::uint32_t>(surface.triangles.size());
+  surfels.piecesOfTriangles = gpu::makeBuffer(device, "pieces of triangles",
+                                              piecesOfTriangles(made, surface), surfelBuffer);
   surfels.tree = makeFittedTree(device, made.tree);
   surfels.vertexOrder =
       gpu::makeBuffer(device, "order of vertices", made.vertexOrder, surfelBuffer);

@@ -1,6 +1,7 @@
 #include "passes/scatter/surface_pass.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
@@ -34,10 +35,29 @@ std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples, bool opaque) 
   return tile * std::clamp(tiles, 1U, tilesFor(extent.height));
 }
 
-gpu::GraphicsOptions ofWords() {
-  return {.colorFormats = {VK_FORMAT_R32_UINT},
-          .depthFormat = VK_FORMAT_D32_SFLOAT,
-          .depth = gpu::DepthMode::Write};
+constexpr VkFormat formatOfWords = VK_FORMAT_R32_UINT;
+constexpr VkFormat formatOfDepth = VK_FORMAT_D32_SFLOAT;
+constexpr VkImageUsageFlags usageOfDrawn =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+
+gpu::GraphicsOptions ofWords(std::uint32_t samples = 1) {
+  return {.colorFormats = {formatOfWords},
+          .depthFormat = formatOfDepth,
+          .depth = gpu::DepthMode::Write,
+          .samples = static_cast<VkSampleCountFlagBits>(samples)};
+}
+
+std::size_t sizeOf(std::uint32_t samples) {
+  return static_cast<std::size_t>(std::countr_zero(samples)) - 1;
+}
+
+// Whether the device draws so many samples of a pixel at once, at the places that samplePattern()
+// has.
+bool drawsAtOnce(const gpu::Device& device, std::uint32_t samples) {
+  const VkSampleCountFlags able =
+      gpu::sampleCountsOf(device, formatOfWords, usageOfDrawn) &
+      gpu::sampleCountsOf(device, formatOfDepth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  return samples > 1 && device.limits().standardSampleLocations == VK_TRUE && (able & samples) != 0;
 }
 
 }  // namespace
@@ -45,9 +65,13 @@ gpu::GraphicsOptions ofWords() {
 SurfacePass::SurfacePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       triangles_(device, "triangles", ofWords()),
+      atOnce_{{{device, "triangles of two samples", ofWords(2)},
+               {device, "triangles of four samples", ofWords(4)},
+               {device, "triangles of eight samples", ofWords(8)}}},
       cutOut_(device, "triangles with holes", ofWords()),
       lights_(device, "visible lights", ofWords()),
       seen_(device, "seen pixels"),
+      seenAtOnce_(device, "seen pixels"),
       surfaces_(device, "seen surfaces"),
       listed_(device, "list of seen surfaces") {}
 
@@ -57,12 +81,14 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                                          VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
   VisibleSurfaces made;
+  const bool atOnce =
+      kept.drawn && depthsOf(extent, samples) == samples && drawsAtOnce(device, samples);
   made.words = {device,
                 {.name = "seen surfaces",
                  .width = extent.width,
                  .height = extent.height,
                  .layers = samples,
-                 .format = VK_FORMAT_R32_UINT,
+                 .format = formatOfWords,
                  .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                           VK_IMAGE_USAGE_SAMPLED_BIT,
                  .kind = gpu::ImageKind::Array}};
@@ -70,10 +96,27 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                 {.name = "depth",
                  .width = extent.width,
                  .height = extent.height,
-                 .layers = depthsOf(extent, samples),
-                 .format = VK_FORMAT_D32_SFLOAT,
+                 .layers = atOnce ? 1 : depthsOf(extent, samples),
+                 .format = formatOfDepth,
                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                  .kind = gpu::ImageKind::Array}};
+  if (atOnce) {
+    const auto ofPixel = static_cast<VkSampleCountFlagBits>(samples);
+    made.drawn = {device,
+                  {.name = "triangles of samples",
+                   .width = extent.width,
+                   .height = extent.height,
+                   .format = formatOfWords,
+                   .usage = usageOfDrawn,
+                   .samples = ofPixel}};
+    made.drawnDepth = {device,
+                       {.name = "depth of samples",
+                        .width = extent.width,
+                        .height = extent.height,
+                        .format = formatOfDepth,
+                        .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                        .samples = ofPixel}};
+  }
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
   // Whole tiles: a work group fills up its last subgroup.
@@ -129,33 +172,58 @@ void SurfacePass::bindCutOut(gpu::CommandList& commands, const SeenSurfaces& see
                 {.jitter = jitter});
 }
 
-void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
-                       std::span<const shared::vec2> samples, bool visibleLights) const {
+void SurfacePass::drawSample(gpu::CommandList& commands, const SeenSurfaces& seen,
+                             const CutOuts& cutOuts, std::uint32_t sample, shared::vec2 place,
+                             bool visibleLights) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   const VkExtent2D extent = surfaces.words.extent();
   const shared::vec2 pixel(2 / static_cast<float>(extent.width),
                            2 / static_cast<float>(extent.height));
+  const gpu::DepthTarget depth{.image = &surfaces.depth,
+                               .layer = sample % surfaces.depth.options().layers};
+  const shared::vec2 jitter = -place * pixel;
+  // What it reads is ordered before the drawing begins.
+  if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
+  commands.bind(
+      triangles_,
+      {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
+      {}, {.jitter = jitter});
+  commands.beginRendering({{.image = &surfaces.words, .layer = sample}}, &depth);
+  for (const IndexRange& range : seen.mesh.whole) commands.draw(range.count, range.first);
+  if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
+  for (const IndexRange& range : seen.mesh.cutOut) commands.draw(range.count, range.first);
+  if (visibleLights) {
+    commands.bind(lights_, {}, {.frame = seen.frame.data},
+                  {.size = shared::vec2(extent.width, extent.height), .offset = place});
+    commands.draw(3);
+  }
+  commands.endRendering();
+}
+
+void SurfacePass::drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& seen) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  const gpu::DepthTarget depth{.image = &surfaces.drawnDepth};
+  commands.bind(
+      atOnce_[sizeOf(surfaces.drawn.options().samples)],
+      {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
+      {}, {.jitter = shared::vec2(0, 0)});
+  commands.beginRendering({{.image = &surfaces.drawn}}, &depth);
+  for (const IndexRange& range : seen.mesh.whole) commands.draw(range.count, range.first);
+  commands.endRendering();
+}
+
+void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
+                       std::span<const shared::vec2> samples, bool visibleLights) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  // Of holes and lights every sample has to be asked.
+  surfaces.drawnAtOnce = surfaces.drawn && surfaces.drawn.options().samples == samples.size() &&
+                         !visibleLights && seen.mesh.cutOut.empty();
   commands.beginPass("surface");
-  for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
-    const gpu::DepthTarget depth{.image = &surfaces.depth,
-                                 .layer = sample % surfaces.depth.options().layers};
-    const shared::vec2 jitter = -samples[sample] * pixel;
-    // What it reads is ordered before the drawing begins.
-    if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
-    commands.bind(
-        triangles_,
-        {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
-        {}, {.jitter = jitter});
-    commands.beginRendering({{.image = &surfaces.words, .layer = sample}}, &depth);
-    for (const IndexRange& range : seen.mesh.whole) commands.draw(range.count, range.first);
-    if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
-    for (const IndexRange& range : seen.mesh.cutOut) commands.draw(range.count, range.first);
-    if (visibleLights) {
-      commands.bind(lights_, {}, {.frame = seen.frame.data},
-                    {.size = shared::vec2(extent.width, extent.height), .offset = samples[sample]});
-      commands.draw(3);
-    }
-    commands.endRendering();
+  if (surfaces.drawnAtOnce) {
+    drawAtOnce(commands, seen);
+  } else {
+    for (std::uint32_t sample = 0; sample < samples.size(); ++sample)
+      drawSample(commands, seen, cutOuts, sample, samples[sample], visibleLights);
   }
   commands.endPass();
 }
@@ -171,9 +239,18 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                  surfaces.countsOf(Asked::OfSky)},
                 0);
   const auto dispatchTiles = [&] { commands.dispatch(tilesFor(extent.width), tilesFor(rows)); };
-  commands.bind(
-      seen_, {.words = surfaces.words, .mixed = surfaces.mixed, .mixedCount = surfaces.mixedCount},
-      {.samples = samples, .firstRow = firstRow});
+  if (surfaces.drawnAtOnce)
+    commands.bind(seenAtOnce_,
+                  {.words = surfaces.words,
+                   .mixed = surfaces.mixed,
+                   .mixedCount = surfaces.mixedCount,
+                   .drawn = {surfaces.drawn, nearest_}},
+                  {.samples = samples, .firstRow = firstRow});
+  else
+    commands.bind(
+        seen_,
+        {.words = surfaces.words, .mixed = surfaces.mixed, .mixedCount = surfaces.mixedCount},
+        {.samples = samples, .firstRow = firstRow});
   dispatchTiles();
   if (samples > 1) {
     commands.use(surfaces.mixedCount, gpu::Access::Indirect);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +11,7 @@
 #include "shaders/scatter/cutout_surface.vert.h"
 #include "shaders/scatter/listed_surfaces.comp.h"
 #include "shaders/scatter/seen.comp.h"
+#include "shaders/scatter/seen_at_once.comp.h"
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
 #include "shaders/scatter/surfaces.comp.h"
@@ -46,11 +48,18 @@ class SurfacePass {
   void bindCutOut(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                   shared::vec2 jitter) const;
 
+  void drawSample(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
+                  std::uint32_t sample, shared::vec2 place, bool visibleLights) const;
+  void drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& seen) const;
+
   gpu::Sampler nearest_;
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
+  std::array<gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag>, 3>
+      atOnce_;  // of 2, 4 and 8 samples
   gpu::Graphics<shaders::ScatterCutoutSurfaceVert, shaders::ScatterCutoutSurfaceFrag> cutOut_;
   gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
+  gpu::Compute<shaders::ScatterSeenAtOnce> seenAtOnce_;
   gpu::Compute<shaders::ScatterSurfaces> surfaces_;
   gpu::Compute<shaders::ScatterListedSurfaces> listed_;
 };

@@ -6,21 +6,27 @@
 
 namespace opaline::passes {
 
+namespace {
+
+gpu::Compute<shaders::ShadeReflectedLights> make(
+    gpu::Device& device, const shaders::ShadeReflectedLights::Constants& constants) {
+  return {device, "reflected lights", rayShader<shaders::ShadeReflectedLights>(device), constants};
+}
+
+}  // namespace
+
 ReflectedLightsPass::ReflectedLightsPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      pipelines_{{device,
-                  "reflected lights",
-                  rayShader<shaders::ShadeReflectedLights>(device),
-                  {.withOwnSurfaces = 0}},
-                 {device,
-                  "reflected lights",
-                  rayShader<shaders::ShadeReflectedLights>(device),
-                  {.withOwnSurfaces = 1}}} {}
+      bare_(make(device, {.withOwnSurfaces = 0, .withMaterials = 0})),
+      withMaterials_{make(device, {.withOwnSurfaces = 0, .withMaterials = 1}),
+                     make(device, {.withOwnSurfaces = 1, .withMaterials = 1})} {}
 
 void ReflectedLightsPass::record(gpu::CommandList& commands, const Inputs& inputs,
                                  const SeenSurfaces& seen) const {
   commands.beginPass("reflected lights");
-  dispatchParts(commands, seen.surfaces, pipelines_.of(inputs.tables.surfaces.any),
+  const auto& pipeline =
+      seen.surfaces.kept.materials ? withMaterials_.of(inputs.tables.surfaces.any) : bare_;
+  dispatchParts(commands, seen.surfaces, pipeline,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -31,10 +37,14 @@ void ReflectedLightsPass::record(gpu::CommandList& commands, const Inputs& input
                  .lobes = inputs.tables.reflectionLobes,
                  .gloss = inputs.opaque.gloss,
                  .glossLobes = inputs.opaque.lobes,
-                 .materials = seen.surfaces.materials},
+                 .materials = seen.surfaces.materials,
+                 .piecesOfTriangles = inputs.surfels.piecesOfTriangles,
+                 .visibilities = inputs.surfels.visibilities},
                 {.first = 0,
                  .nodeCount = inputs.surfels.tree.nodeCount,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel,
+                 .triangleCount = inputs.surfels.triangleCount});
   commands.endPass();
 }
 

@@ -32,7 +32,8 @@ class ReflectedLightsPass {
 
  private:
   gpu::Sampler nearest_;
-  Variants<shaders::ShadeReflectedLights> pipelines_;
+  gpu::Compute<shaders::ShadeReflectedLights> bare_;  // where no surface has a material of its own
+  Variants<shaders::ShadeReflectedLights> withMaterials_;
 };
 
 }  // namespace opaline::passes

@@ -57,7 +57,7 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   makeBackdrop(plan, edited, behind);
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
-  makeRoom(plan, !lighting.areas.empty());
+  makeRoom(plan, !lighting.areas.empty(), !scene.mesh.cutOut.empty());
   if (shadows) makeShadows(device_, lighting, options, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
@@ -117,14 +117,15 @@ void ViewResources::makeImages(const RenderOptions& options) {
 }
 
 // For as many samples as any frame has had.
-void ViewResources::makeRoom(const FramePlan& plan, bool areaLights) {
+void ViewResources::makeRoom(const FramePlan& plan, bool areaLights, bool cutOut) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
   const passes::KeptOfSeen kept{
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
       .paint = surfaces.kept.paint || plan.painted,
-      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights)};
+      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights),
+      .drawn = surfaces.kept.drawn || (samples > 1 && !plan.visibleLights && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

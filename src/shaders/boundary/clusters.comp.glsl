@@ -108,6 +108,11 @@ vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) 
   return withNormals != 0u ? even * sum / float(pointsPerPiece) : sum / float(pointsPerPiece);
 }
 
+// Whether any of its points sees the light, if the shape has an area.
+bool isLit(uint piece, uint light) {
+  return light == everywhere || visibilities[visibilityIndex(light, piece, pieceCount)] != 0u;
+}
+
 Entry entryOf(uint first, uint end, Cluster cluster, float area, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);
   vec3 weighted = vec3(0.0);
@@ -129,9 +134,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, float area, ObjectData body
   for (uint k = first; k < end; ++k) {
     PieceShape shape = shapeOf(pieces[k]);
     vec3 offset = middleOf(shape) - place;
-    if (dot(offset, offset) >= least || shape.area <= 0.0 ||
-        enteringThrough(k, shape, body, light) == vec3(0.0))
-      continue;
+    if (dot(offset, offset) >= least || shape.area <= 0.0 || !isLit(k, light)) continue;
     least = dot(offset, offset);
     start = middleOf(shape);
   }

@@ -1,10 +1,9 @@
-// The sky's light that enters each surfel: as much of it as the clusters around see. A work group has a
-// cluster. Its invocations find the clusters that are felt there, and then have a surfel each.
+// The sky's light that enters each surfel: as much of it as the clusters around see. A work group has some of the
+// surfels of a cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
-#define LONG_WORK
+#extension GL_KHR_shader_subgroup_ballot : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_NODES 2
@@ -12,100 +11,89 @@
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_weight.glsl"
-#include "lib/group_place.glsl"
 #include "lib/sky.glsl"
 #include "lib/source_flux.glsl"
 #include "lib/work_group.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 6) readonly buffer SkyShares { vec4 skyShares[]; };
+layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
+layout(set = 0, binding = 6) uniform samplerBuffer skyShares;  // of clusters
 layout(std430, set = 0, binding = 7) readonly buffer SurfelNormals { vec4 surfelNormals[]; };
 layout(std430, set = 0, binding = 8) readonly buffer SurfelPlaces { vec4 places[]; };
 layout(std430, set = 0, binding = 9) buffer Sources { Source sources[]; };
+layout(std430, set = 0, binding = 11) readonly buffer Around { uint around[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer SharesOfSurfels { vec4 sharesOfSurfels[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
 };
 
-// Where more are felt, those that come last in the tree are not.
-const uint mostFelt = 128u;
+// Of a cluster, what tells how much it counts at a place.
 struct Felt {
-  vec4 placeReach;
-  vec4 normalEdge;
-  vec4 share;
+  bool near;
+  vec4 place;       // and over its reach squared
+  vec4 normalPeak;
+  vec3 share;
 };
-shared Felt felt[mostFelt];
 
-uint sliceBegin;
-uint sliceEnd;
-
-// Of this invocation's part of the tree, the next leaf from `at` on that is felt within `radius`.
-uint nextFelt(inout uint at, vec3 place, float radius) {
-  while (at < sliceEnd) {
-    uint node = at;
-    vec4 centroidLink = centroidLinkOf(node);
-    uint link = floatBitsToUint(centroidLink.w);
-    uint after = afterNode(node, link);
-    bool apart = after <= sliceBegin ||
-                 distance(centroidLink.xyz, place) > spreadOf(node).z + radius;
-    at = apart || isLeaf(link) ? after : node + 1u;
-    if (!apart && isLeaf(link) && node >= sliceBegin) return firstSurfelOf(link);
-  }
-  return noCluster;
+// Of those around, the one with that leaf, for places so far around a middle.
+Felt feltOf(uint leaf, vec3 middle, float radius) {
+  vec4 centroidLink = centroidLinkOf(leaf);
+  float reach = spreadOf(leaf).z;
+  int cluster = int(firstSurfelOf(floatBitsToUint(centroidLink.w)));
+  vec4 normalRadius = texelFetch(clusterTexels, 7 * cluster + 1);
+  vec4 shareLight = texelFetch(skyShares, cluster);
+  Felt its;
+  its.near = distance(centroidLink.xyz, middle) <= reach + radius;
+  its.place = vec4(centroidLink.xyz, 1.0 / max(reach * reach, 1e-30));
+  // Few rays tell nothing of a bright part that they miss.
+  its.normalPeak = vec4(normalRadius.xyz, shareLight.w * peakOfCluster(reach, sqrt(pi) * normalRadius.w));
+  its.share = shareLight.rgb;
+  return its;
 }
 
-void putFelt(uint at, uint cluster) {
-  Cluster its = clusters[cluster];
-  felt[at] = Felt(vec4(its.centroidArea.xyz, spreadOf(ranges[cluster].node).z),
-                  vec4(its.normal.xyz, edgeOf(its)), skyShares[cluster]);
-}
-
-uint findFelt(ObjectData body, vec3 place, float radius) {
-  uint nodes = body.clusters.y - body.clusters.x;
-  uint i = gl_LocalInvocationIndex;
-  sliceBegin = body.clusters.x + nodes * i / gl_WorkGroupSize.x;
-  sliceEnd = body.clusters.x + nodes * (i + 1u) / gl_WorkGroupSize.x;
-  uint count = 0u;
-  uint at = body.clusters.x;
-  while (nextFelt(at, place, radius) != noCluster) ++count;
-  uint all;
-  uint next = groupPlaceFor(count, all);
-  at = body.clusters.x;
-  for (; count > 0u && next < mostFelt; --count) putFelt(next++, nextFelt(at, place, radius));
-  barrier();
-  return min(all, mostFelt);
-}
-
-vec3 shareAt(vec3 place, vec3 normal, uint count, uint own) {
+// The invocations of a subgroup go in step: each reads one of the clusters around, and tells the others.
+vec3 shareAt(vec3 place, vec3 normal, uint cluster, ClusterRange range) {
+  vec3 middle = centroidLinkOf(range.node).xyz;
+  float radius = spreadOf(range.node).x;
   vec3 sum = vec3(0.0);
   float all = 0.0;
-  for (uint k = 0u; k < count; ++k) {
-    vec3 offset = felt[k].placeReach.xyz - place;
-    float weight = weightOfCluster(dot(offset, offset), felt[k].placeReach.w, felt[k].normalEdge.w,
-                                   dot(normal, felt[k].normalEdge.xyz));
-    // Few rays tell nothing of a bright part that they miss.
-    weight *= felt[k].share.w;
-    sum += weight * felt[k].share.rgb;
-    all += weight;
+  uint list = range.tile * roomOfAround;
+  uint end = list + 1u + around[list];
+  uint width = min(gl_SubgroupSize, gl_WorkGroupSize.x);
+  for (uint first = list + 1u; first < end; first += width) {
+    uint at = first + gl_SubgroupInvocationID;
+    Felt its = feltOf(around[min(at, end - 1u)], middle, radius);
+    for (uvec4 left = subgroupBallot(its.near && at < end); any(notEqual(left.xy, uvec2(0u)));) {
+      uint k = subgroupBallotFindLSB(left);
+      left[k / 32u] &= left[k / 32u] - 1u;
+      vec4 itsPlace = subgroupBroadcast(its.place, k);
+      vec4 normalPeak = subgroupBroadcast(its.normalPeak, k);
+      vec3 offset = itsPlace.xyz - place;
+      float weight = normalPeak.w * fallOfCluster(dot(offset, offset) * itsPlace.w, dot(normal, normalPeak.xyz));
+      sum += weight * subgroupBroadcast(its.share, k);
+      all += weight;
+    }
   }
-  return all > 0.0 ? sum / all : skyShares[own].rgb;
+  return all > 0.0 ? sum / all : texelFetch(skyShares, int(cluster)).rgb;
 }
 
 void main() {
-  uint cluster = groupIndex();
-  if (cluster >= clusterCount) return;
+  uint cluster = groupIndex() % clusterCount;
+  uint part = groupIndex() / clusterCount;
   ClusterRange range = ranges[cluster];
   if (range.side < 0.0) return;  // surfels are of the front
   ObjectData body = objects[range.object];
-  uint count = findFelt(body, clusters[cluster].centroidArea.xyz, spreadOf(range.node).x);
-  for (uint surfel = range.firstSurfel + gl_LocalInvocationIndex; surfel < range.endSurfel;
-       surfel += gl_WorkGroupSize.x) {
-    vec3 place = places[surfel].xyz;
-    vec3 normal = surfelNormals[surfel].xyz;
-    vec3 share = shareAt(place, normal, count, cluster);
+  uint begin = range.firstSurfel + part * surfelsOfPart;
+  uint end = min(begin + surfelsOfPart, range.endSurfel);
+  for (uint first = begin; first < end; first += gl_WorkGroupSize.x) {
+    uint surfel = first + gl_LocalInvocationIndex;
+    bool inside = surfel < end;
+    vec3 place = places[inside ? surfel : first].xyz;
+    vec3 normal = surfelNormals[inside ? surfel : first].xyz;
+    vec3 share = shareAt(place, normal, cluster, range);
+    if (!inside) continue;
     vec3 irradiance = skyIrradianceAt(normal, mediumAt(body, place)) * share;
     sharesOfSurfels[surfel] = vec4(share, 0.0);
     for (uint s = sourcesPerSurfel * surfel; s < sourcesPerSurfel * (surfel + 1u); ++s)

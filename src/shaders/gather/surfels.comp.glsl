@@ -54,11 +54,19 @@ vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
   return withNormals == 0u ? normal : tiltedNormal(piece, place.along, place.across, normal);
 }
 
-// Of a light on the side of a piece that its triangle's corners go around. Of a sheet the light is on one side.
-float visibilityOn(uint piece, PiecePlace place, vec3 position, IncidentLight light) {
+// The unit normal of a piece on the side that its triangle's corners go around, of a sheet on the light's.
+vec3 keptSideOf(uint piece, PiecePlace place, IncidentLight light) {
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
-  if (hasBack(objects[pieces[piece].object]) && dot(outside, light.direction) < 0.0) outside = -outside;
+  return hasBack(objects[pieces[piece].object]) && dot(outside, light.direction) < 0.0 ? -outside : outside;
+}
+
+float visibilityOn(vec3 position, vec3 outside, IncidentLight light) {
   return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
+}
+
+void keepLight(uint piece, PiecePlace place, vec3 position, uint k, uint point) {
+  IncidentLight light = incidentLight(k, position);
+  keep(visibilityOn(position, keptSideOf(piece, place, light), light), k, piece, point);
 }
 
 void keepVisibility(uint piece) {
@@ -66,7 +74,7 @@ void keepVisibility(uint piece) {
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec3 position = positionAt(place, pointOf(place.corners, i));
     for (uint k = 0u; k < lightsAt(position); ++k)
-      keep(visibilityOn(piece, place, position, incidentLight(k, position)), k, piece, i);
+      keepLight(piece, place, position, k, i);
   }
 }
 
@@ -81,11 +89,9 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   for (uint k = 0u; k < lightsAt(position); ++k) {
     IncidentLight light = incidentLight(k, position);
     float part = enteringPart(light, normal, outside, medium);
-    float visible = 0.0;
-    if (part > 0.0)
-      visible = visibilityOf(light, position, outside);
-    else if (keepsVisibility != 0u)
-      visible = visibilityOn(piece, place, position, light);
+    // One call: a device that does both sides of every branch would look into the shadow map twice.
+    bool enters = part > 0.0 || keepsVisibility == 0u;
+    float visible = visibilityOn(position, enters ? outside : keptSideOf(piece, place, light), light);
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
     sum += light.irradiance * (part * visible);
   }

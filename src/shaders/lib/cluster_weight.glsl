@@ -15,14 +15,22 @@ float edgeOf(Cluster cluster) {
   return sqrt(pi) * cluster.normal.w;
 }
 
-// How much a cluster counts at a place, by their distance and the cosine of their normals: falls to 0
-// where its reach ends, so that nothing jumps. Clusters that are scattered over their reach, a few surfels
-// left over between others, would count as much as all around them.
-float weightOfCluster(float squaredMm2, float reachMm, float edgeMm, float facing) {
-  float left = 1.0 - squaredMm2 / max(reachMm * reachMm, 1e-30);
-  if (left <= 0.0) return 0.0;
+// How much a cluster counts at its middle. Clusters that are scattered over their reach, a few surfels left
+// over between others, would count as much as all around them.
+float peakOfCluster(float reachMm, float edgeMm) {
   float fills = min(1.0, scatteredInEdges * edgeMm / max(reachMm, 1e-15));
-  return fills * fills * left * left * max(facing, leastFacing);
+  return fills * fills;
+}
+
+// The part of that at a place, by its distance over the reach, squared, and the cosine of their normals: falls
+// to 0 where the reach ends, so that nothing jumps.
+float fallOfCluster(float squaredInReaches, float facing) {
+  float left = max(1.0 - squaredInReaches, 0.0);
+  return left * left * max(facing, leastFacing);
+}
+
+float weightOfCluster(float squaredMm2, float reachMm, float edgeMm, float facing) {
+  return peakOfCluster(reachMm, edgeMm) * fallOfCluster(squaredMm2 / max(reachMm * reachMm, 1e-30), facing);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // Adds to the lists of shared/seen.h. Work groups come in any order, but each adds whole subgroups, the last of them filled
 // up, so that the neighbours in a subgroup that goes over the list are always the same: a device's filter of cubes may round
-// otherwise where a neighbour is at a corner. Needs, before it, BINDING_SURFACES, the first of two bindings, and the size of
-// a work group, 64.
+// otherwise where a neighbour is at a corner. A work group lists what 64 entries want, in rounds if it is smaller. Needs,
+// before it, BINDING_SURFACES, the first of two bindings, and the size of a work group.
 #ifndef OPALINE_LIB_LISTING
 #define OPALINE_LIB_LISTING
 #include "lib/group_place.glsl"
@@ -30,18 +30,55 @@ uint takePlaces(uint all) {
 
 shared uint startOfGroup;
 
-// Of a work group, all at once and in order, so that neighbours stay together: the first entry of each invocation's
-// that wants `added` of them.
-uint placesForSurfaces(uint added) {
-  uint all;
-  uint before = groupPlaceFor(added, all);
-  if (all == 0u) return 0u;
+const uint mostRounds = groupSize / 8u;
+
+// A work group that needs several is one subgroup (gpu::WorkGroups).
+uint roundsOfListing() {
+  return groupSize / gl_WorkGroupSize.x;
+}
+
+// Of the 64, the one of an invocation in a round.
+uint placeInRounds(uint round) {
+  return round * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+}
+
+// For all of the work group, by one of it: the first of so many entries.
+uint takePlacesTogether(uint all) {
+  if (roundsOfListing() > 1u) return subgroupMax(subgroupElect() ? takePlaces(all) : 0u);
+  if (gl_LocalInvocationIndex == 0u) startOfGroup = takePlaces(all);
+  barrier();
+  return startOfGroup;
+}
+
+uint placeInRound(uint wanted, out uint all) {
+  if (roundsOfListing() == 1u) return groupPlaceFor(wanted, all);
+  all = subgroupAdd(wanted);
+  return subgroupExclusiveAdd(wanted);
+}
+
+// Of a work group, all at once and in order, so that neighbours stay together: of how many entries an invocation wants
+// in each round, it makes the first.
+void placesForSurfaces(inout uint places[mostRounds]) {
+  uint all = 0u;
+  for (uint round = 0u; round < roundsOfListing(); ++round) {
+    uint ofRound;
+    places[round] = all + placeInRound(places[round], ofRound);
+    all += ofRound;
+  }
+  if (all == 0u) return;
   uint width = min(gl_SubgroupSize, gl_WorkGroupSize.x);
   uint filled = (all + width - 1u) / width * width;
-  if (gl_LocalInvocationIndex == 0u) startOfGroup = takePlaces(filled);
-  barrier();
-  if (all + gl_LocalInvocationIndex < filled) surfaces[startOfGroup + all + gl_LocalInvocationIndex] = noSurface;
-  return startOfGroup + before;
+  uint start = takePlacesTogether(filled);
+  for (uint round = 0u; round < roundsOfListing(); ++round) places[round] += start;
+  if (all + gl_LocalInvocationIndex < filled) surfaces[start + all + gl_LocalInvocationIndex] = noSurface;
+}
+
+// The same in one round.
+uint placesForSurfaces(uint added) {
+  uint places[mostRounds];
+  places[0] = added;
+  placesForSurfaces(places);
+  return places[0];
 }
 
 #endif

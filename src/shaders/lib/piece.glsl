@@ -25,6 +25,8 @@ uint packVisibility(float visible, uint point) {
   return uint(1023.0 * visible + 0.5) << 10u * point;
 }
 
+const uint wholeVisibility = 0x3fffffffu;
+
 float unpackVisibility(uint word, uint point) {
   return float(bitfieldExtract(word, int(10u * point), 10)) / 1023.0;
 }

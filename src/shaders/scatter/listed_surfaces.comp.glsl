@@ -4,7 +4,8 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_SURFACES 1
-#include "lib/tile.glsl"
+#include "lib/morton.glsl"
+#include "lib/work_group.glsl"
 #include "lib/listing.glsl"
 
 layout(set = 0, binding = 0) uniform usampler2DArray words;
@@ -23,11 +24,21 @@ uint surfacesOf(ivec2 pixel) {
   return count;
 }
 
+// A work group has a tile of 8×8 pixels.
+ivec2 pixelOfRound(uint round) {
+  return ivec2(gl_WorkGroupID.xy * 8u + placeOfMorton(placeInRounds(round))) + ivec2(0, firstRow);
+}
+
 void main() {
-  ivec2 pixel = pixelOfInvocation() + ivec2(0, firstRow);
-  uint count = surfacesOf(pixel);
-  uint first = placesForSurfaces(count);
-  uint index = uint(pixel.y * textureSize(words, 0).x + pixel.x);
-  for (uint layer = 0u; layer < count; ++layer) surfaces[first + layer] = index | layer << seenLayerShift;
-  if (count != 0u) entryOfPixel[index - firstRow * uint(textureSize(words, 0).x)] = first;
+  uint counts[mostRounds];
+  for (uint round = 0u; round < roundsOfListing(); ++round) counts[round] = surfacesOf(pixelOfRound(round));
+  uint places[mostRounds] = counts;
+  placesForSurfaces(places);
+  for (uint round = 0u; round < roundsOfListing(); ++round) {
+    ivec2 pixel = pixelOfRound(round);
+    uint index = uint(pixel.y * textureSize(words, 0).x + pixel.x);
+    for (uint layer = 0u; layer < counts[round]; ++layer)
+      surfaces[places[round] + layer] = index | layer << seenLayerShift;
+    if (counts[round] != 0u) entryOfPixel[index - firstRow * uint(textureSize(words, 0).x)] = places[round];
+  }
 }

@@ -10,19 +10,31 @@
 #define BINDING_SURFACES 7
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/seen_entry.glsl"
+#include "lib/work_group.glsl"
 #include "lib/listing.glsl"
 #include "lib/sky_block.glsl"
 
 layout(std430, set = 0, binding = 5) buffer Light { vec4 light[]; };  // the share in w
 layout(set = 0, binding = 6) uniform sampler2D skyBlocks;
 
-void main() {
-  Seen seen = seenOfInvocation(0u);
+// An entry that has to be asked, or noSurface.
+uint askedOf(Seen seen) {
   float share = texelFetch(skyBlocks, seen.pixel / 2, 0).r;
-  seen.there = seen.there && !isOpaque(objects[objectOfTriangle(triangleOf(seen.word))]);
-  bool asks = seen.there && share == unknownShare;
-  if (seen.there && !asks) light[seen.entry].w = share;
-  uint place = placesForSurfaces(asks ? 1u : 0u);
-  if (asks) surfaces[place] = seen.entry;
+  if (!seen.there || isOpaque(objects[objectOfTriangle(triangleOf(seen.word))])) return noSurface;
+  if (share == unknownShare) return seen.entry;
+  light[seen.entry].w = share;
+  return noSurface;
+}
+
+void main() {
+  uint asked[mostRounds];
+  uint places[mostRounds];
+  for (uint round = 0u; round < roundsOfListing(); ++round) {
+    asked[round] = askedOf(seenAt(groupIndex() * groupSize + placeInRounds(round)));
+    places[round] = asked[round] != noSurface ? 1u : 0u;
+  }
+  placesForSurfaces(places);
+  for (uint round = 0u; round < roundsOfListing(); ++round)
+    if (asked[round] != noSurface) surfaces[places[round]] = asked[round];
 }

@@ -16,6 +16,7 @@
 #include "lib/lattice.glsl"
 #include "lib/material.glsl"
 #include "lib/mesh.glsl"
+#include "lib/piece.glsl"
 #include "lib/rays.glsl"
 #include "lib/seen_list.glsl"
 #include "lib/specular_albedo.glsl"
@@ -25,11 +26,16 @@ layout(std430, set = 0, binding = 10) readonly buffer Lobes { vec4 lobes[]; };
 
 layout(std430, set = 0, binding = 16) readonly buffer GlossLobes { vec4 glossLobes[]; };
 layout(std430, set = 0, binding = 17) readonly buffer Materials { SeenMaterial materials[]; };
+// For each triangle and the end where its pieces begin in the list of pieces that follows.
+layout(std430, set = 0, binding = 18) readonly buffer PiecesOfTriangles { uint piecesOfTriangles[]; };
+layout(std430, set = 0, binding = 19) readonly buffer Visibilities { uint visibilities[]; };
 
 layout(push_constant) uniform Push {
   uint first;      // of the list
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
+  uint pieceCount;
+  uint triangleCount;
 };
 
 const uint lobeEntries = 16u;
@@ -113,20 +119,40 @@ vec3 mirroredPlace(AreaView view, vec3 mirrored) {
 const uint fewRays = 4u;
 const uint mostRays = 16u;
 
-bool isVisible(MeshPlace place, vec3 offset) {
+// What the pieces of a triangle see of a light, if they are few and small enough to speak for it.
+const uint noneSee = 0u;
+const uint allSee = 1u;
+const uint someSee = 2u;
+const uint mostPieces = 4u;
+
+uint sightOf(uint triangle, uint index) {
+  uint begin = piecesOfTriangles[triangle];
+  uint end = piecesOfTriangles[triangle + 1u];
+  if (end - begin > mostPieces) return someSee;
+  bool all = true;
+  bool none = true;
+  for (uint k = begin; k < end; ++k) {
+    uint word = visibilities[visibilityIndex(index, piecesOfTriangles[triangleCount + 1u + k], pieceCount)];
+    all = all && word == wholeVisibility;
+    none = none && word == 0u;
+  }
+  return all == none ? someSee : all ? allSee : noneSee;
+}
+
+bool isVisible(MeshPlace place, vec3 offset, uint sight) {
   float start = startAbove(place.position);
   float least = start * inversesqrt(max(dot(offset, offset), 1e-30));
-  return dot(offset, place.facet) > 0.0 &&
-         !occluded(place.position + start * place.facet, offset, least, 1.0,
-                   RayTarget(0u, nodeCount, everyObject));
+  if (dot(offset, place.facet) <= 0.0 || sight == noneSee) return false;
+  return sight == allSee || !occluded(place.position + start * place.facet, offset, least, 1.0,
+                                      RayTarget(0u, nodeCount, everyObject));
 }
 
 // Of what the lobe mirrors of a light. Where the first rays agree, they are enough.
-float visiblePart(MeshPlace place, AreaView view, Lobe lobe) {
+float visiblePart(MeshPlace place, AreaView view, Lobe lobe, uint sight) {
   float free = 0.0;
   for (uint i = 0u; i < mostRays; ++i) {
     if (i == fewRays && (free == 0.0 || free == float(fewRays))) return free / float(fewRays);
-    if (isVisible(place, mirroredPlace(view, directionIn(lobe, i)))) free += 1.0;
+    if (isVisible(place, mirroredPlace(view, directionIn(lobe, i)), sight)) free += 1.0;
   }
   return free / float(mostRays);
 }
@@ -140,9 +166,15 @@ struct Mirror {
 
 // Some translucent surfaces have a roughness or normals of their own.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
+// Those, or opaque ones: where there are none, no device reads what they would be.
+layout(constant_id = 1) const uint withMaterials = 1u;
 
 Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
   ObjectData body = objects[place.object];
+  if (withMaterials == 0u) {
+    float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
+    return Mirror(place.normal, lobeAt(cosine), vec3(reflectedAlbedo(mediumAt(body, place.position), cosine)));
+  }
   bool known = withOwnSurfaces != 0u || isOpaque(body);
   SeenMaterial material = materials[known ? seen.entry : 0u];
   vec3 normal = known ? material.normal.xyz : place.normal;
@@ -172,7 +204,8 @@ vec3 mirroredLights(Seen seen, MeshPlace place, vec3 known) {
     if (!view.shines) continue;
     float part = vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z / pi;
     vec3 found = part * mirror.albedo * frame.lights[i].power.rgb;
-    if (any(greaterThan(found, leastMirrored * known))) sum += visiblePart(place, view, lobe) * found;
+    if (any(greaterThan(found, leastMirrored * known)))
+      sum += visiblePart(place, view, lobe, sightOf(triangleOf(seen.word), i)) * found;
   }
   return sum;
 }

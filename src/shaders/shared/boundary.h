@@ -27,6 +27,7 @@ struct ClusterRange {
   uint kind;   // of its body there
   float side;  // -1 where it is of the back of a sheet, else 1
   uint firstPatch;
+  uint tile;
 };
 
 /// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
@@ -90,6 +91,12 @@ struct ClusterGroup {
 /// than it has room for, it has none, and they are found again each time. Lists have room for so
 /// many numbers at least, or for all nodes.
 OPALINE_BOUNDARY_CONSTANT leastRoomOfList = 1024u;
+
+/// How many clusters are felt in a tile, and their leaves; those that there is no room for, the
+/// last in the tree, are not.
+OPALINE_BOUNDARY_CONSTANT roomOfAround = 512u;
+/// Of a large cluster, so many surfels after the other find out how much of the sky they see.
+OPALINE_BOUNDARY_CONSTANT surfelsOfPart = 512u;
 
 /// Light of one kind that enters through a cluster.
 struct Entry {
