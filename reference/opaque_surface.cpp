@@ -85,8 +85,8 @@ double mattShare(const OpaqueSurface& surface, std::size_t channel) {
   return mirrored + leftByDielectric(surface) * surface.diffuse[channel];
 }
 
-double mattThrough(const OpaqueSurface& surface, std::size_t channel) {
-  return leftByDielectric(surface) * surface.through[channel];
+double shareInMedium(const OpaqueSurface& surface, std::size_t channel) {
+  return surface.diffuse[channel] + surface.metallic * surface.metal[channel];
 }
 
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights) {

@@ -23,12 +23,12 @@ struct OpaqueSurface {
 /// The body must be opaque.
 OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
 
-/// Of light that goes through a body's surface, the share of diffuse light in one channel, less by
-/// what is mirrored of even light.
-double mattThrough(const OpaqueSurface& surface, std::size_t channel);
-
 /// All that it gives back of light from everywhere in one channel, as if it were matt.
 double mattShare(const OpaqueSurface& surface, std::size_t channel);
+
+/// What it gives back of light in a medium that it is in contact with: nothing lies between the two
+/// that would mirror it, but for metal.
+double shareInMedium(const OpaqueSurface& surface, std::size_t channel);
 
 /// Whether alpha is less than its cutoff, so that there is no surface.
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights);

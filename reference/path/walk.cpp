@@ -73,9 +73,9 @@ void Walk::meetTilted(const Particle& particle, Random& random,
 bool Walk::reflectMatt(Particle& particle, Random& random) const {
   const Body& body = geometry_.scene().bodies[particle.surface.body];
   const OpaqueSurface surface = opaqueSurfaceAt(body, particle.surface);
-  const double given = mattShare(surface, channel_);
+  const double given = shareInMedium(surface, channel_);
   const double chance = random();
-  if (chance >= given + mattThrough(surface, channel_)) return false;
+  if (chance >= given + surface.through[channel_]) return false;
   const Vector& facet = particle.surface.facetNormal;
   const bool turned = dot(facet, particle.direction) > 0;
   const Vector normal = turned == (chance < given) ? -facet : facet;

@@ -13,4 +13,15 @@ struct Variants {
   const gpu::Compute<Shader>& of(bool has) const { return has ? with : without; }
 };
 
+/// The same for two such things.
+template <typename Shader>
+struct VariantsOfTwo {
+  Variants<Shader> without;
+  Variants<Shader> with;
+
+  const gpu::Compute<Shader>& of(bool hasFirst, bool hasSecond) const {
+    return (hasFirst ? with : without).of(hasSecond);
+  }
+};
+
 }  // namespace opaline::passes

@@ -114,7 +114,7 @@ class Divider {
     };
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
     for (std::size_t object = 0; object + 1 < roots.size(); ++object)
-      if (roots[object] < roots[object + 1]) take(roots[object]);
+      forEachRoot(object, take);
     while (!needs.empty()) {
       const std::uint32_t node = needs.top().node;
       std::size_t children = 0;
@@ -137,7 +137,7 @@ class Divider {
       made_.tree.rootOfObject.push_back(nodeCount());
       if (roots[object] == roots[object + 1]) continue;
       if (edges_[object].sides == 1)
-        add(roots[object], false);
+        forEachRoot(object, [&](std::uint32_t root) { add(root, false); });
       else
         addBothSides(roots[object]);
     }
@@ -159,8 +159,8 @@ class Divider {
       shapes_.push_back(shapeOf(surface, surfel));
     for (std::size_t object = 0; object + 1 < surfels_.firstOfObject.size(); ++object) {
       double area = 0;
-      for (std::uint32_t i = surfels_.firstOfObject[object]; i < surfels_.firstOfObject[object + 1];
-           ++i)
+      for (std::uint32_t i = surfels_.firstOfObject[object];
+           i < surfels_.firstLiningOfObject[object]; ++i)
         area += shapes_[i].areaMm2;
       edges_.push_back({usualClusterMm(area), orders[object].largestMm,
                         orders[object].bothSides ? std::size_t{2} : std::size_t{1}});
@@ -221,6 +221,15 @@ class Divider {
     const std::uint32_t end = linkOf(surfels_.tree, node).end;
     for (std::uint32_t child = node + 1; child < end; child = linkOf(surfels_.tree, child).end)
       visit(child);
+  }
+
+  // Of its surfels and, where it has a lining, of that.
+  template <typename Visit>
+  void forEachRoot(std::size_t object, const Visit& visit) const {
+    const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
+    for (std::uint32_t root = roots[object]; root < roots[object + 1];
+         root = linkOf(surfels_.tree, root).end)
+      visit(root);
   }
 
   // Returns the node after all that are below it.

@@ -15,7 +15,7 @@ namespace opaline::surfels {
 /// Nodes of the tree of surfels that together hold each surfel once, and the tree above them: what
 /// needs fewer places than there are surfels. They follow the surface where it is thin. An object
 /// that has clusters of both sides has those of its front first, and as many of its back in equal
-/// order.
+/// order. Those of its lining come last, below a node of their own beside that of the others.
 struct ClusterDivision {
   struct Cluster {
     std::uint32_t firstSurfel = 0;

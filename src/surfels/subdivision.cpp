@@ -143,4 +143,23 @@ std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,
   return pieces;
 }
 
+std::optional<std::vector<Piece>> subdivideWhere(
+    const core::RestSurface& surface, std::uint32_t triangle, double spacingMm, std::size_t limit,
+    const std::function<bool(const std::array<std::array<double, 3>, 3>&)>& isOfUse) {
+  std::vector<Piece> pieces;
+  std::vector<Part> waiting{wholeTriangle(surface, triangle)};
+  while (!waiting.empty()) {
+    const Part part = waiting.back();
+    waiting.pop_back();
+    if (!isOfUse({part.corners[0].place, part.corners[1].place, part.corners[2].place})) continue;
+    const std::array<double, 3> squaredEdges = part.squaredEdges();
+    if (squaredSpacing(squaredEdges) > spacingMm * spacingMm)
+      for (const Part& half : bisect(part, squaredEdges)) waiting.push_back(half);
+    else
+      pieces.push_back(pieceOf(triangle, part));
+    if (pieces.size() + waiting.size() > limit) return std::nullopt;
+  }
+  return pieces;
+}
+
 }  // namespace opaline::surfels

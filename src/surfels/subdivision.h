@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,5 +37,12 @@ Vec3 middleOfMm(const core::RestSurface& surface, const Piece& piece);
 std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,
                                             std::span<const double> spacingOfObjectMm,
                                             std::size_t limit);
+
+/// The same of one triangle, of those pieces that are of use. `isOfUse` is asked of the corners, mm,
+/// of every part on the way to them, and holds of each that has a part of use. Nothing when there
+/// are more than `limit`.
+std::optional<std::vector<Piece>> subdivideWhere(
+    const core::RestSurface& surface, std::uint32_t triangle, double spacingMm, std::size_t limit,
+    const std::function<bool(const std::array<std::array<double, 3>, 3>&)>& isOfUse);
 
 }  // namespace opaline::surfels

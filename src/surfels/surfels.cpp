@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "surfels/clusters.h"
+#include "surfels/vector.h"
 
 namespace opaline::surfels {
 
@@ -94,13 +96,18 @@ void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pie
   }
 }
 
-// The pieces of each object as the tree's items, filled up with empty ones to whole surfels.
+// The pieces of each object as the tree's items, filled up with empty ones to whole surfels; and
+// those of its lining apart, as the next list, where there are any linings.
 std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surface,
                                                   std::vector<Piece>& pieces, std::size_t objects,
-                                                  std::uint32_t piecesPerSurfel) {
-  std::vector<std::vector<TreeItem>> items(objects);
+                                                  std::uint32_t piecesPerSurfel,
+                                                  const Linings& linings) {
+  const std::size_t lists = linings.any() ? 2 : 1;
+  std::vector<std::vector<TreeItem>> items(lists * objects);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    items[surface.objectOfTriangle[pieces[i].triangle]].push_back(
+    const std::uint32_t triangle = pieces[i].triangle;
+    const std::size_t lining = triangle >= linings.firstTriangle() ? 1 : 0;
+    items[lists * surface.objectOfTriangle[triangle] + lining].push_back(
         {middleOfMm(surface, pieces[i]), i});
   }
   for (std::vector<TreeItem>& list : items) {
@@ -115,6 +122,28 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
     }
   }
   return items;
+}
+
+// Takes away what lies in the solids that line a body, but never all of an object.
+void uncover(const core::RestSurface& surface, const Linings& linings, std::size_t objects,
+             std::vector<Piece>& pieces) {
+  std::vector<bool> covered(pieces.size(), false);
+  std::vector<std::size_t> left(objects, 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Vector normal = crossOf(surface, pieces[i].triangle);
+    const double length = std::sqrt(dot(normal, normal));
+    for (double& axis : normal) axis /= std::max(length, std::numeric_limits<double>::min());
+    const Vec3 middle = middleOfMm(surface, pieces[i]);
+    const std::uint32_t object = surface.objectOfTriangle[pieces[i].triangle];
+    covered[i] = linings.isCovered(object, {middle[0], middle[1], middle[2]}, normal);
+    if (!covered[i]) ++left[object];
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const bool goes = covered[i] && left[surface.objectOfTriangle[pieces[i].triangle]] > 0;
+    if (!goes) pieces[kept++] = pieces[i];
+  }
+  pieces.resize(kept);
 }
 
 // In the order in which the surfels' triangles meet them.
@@ -140,7 +169,7 @@ void coarsenToMean(const core::RestSurface& surface, SurfelDivision& surfels) {
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     area[surface.objectOfTriangle[t]] += areaMm2(surface, t);
   for (std::size_t i = 0; i < area.size(); ++i) {
-    const std::uint32_t count = surfels.firstOfObject[i + 1] - surfels.firstOfObject[i];
+    const std::uint32_t count = surfels.firstLiningOfObject[i] - surfels.firstOfObject[i];
     double& mm = surfels.spacingOfObjectMm[i];
     mm = std::max(mm, std::sqrt(area[i] / std::max(count, 1U)));
   }
@@ -157,34 +186,68 @@ std::size_t leastSurfels(const core::RestSurface& surface, std::size_t objects,
   return surfels;
 }
 
+core::RestSurface withoutLinings(const core::RestSurface& surface, const Linings& linings) {
+  if (!linings.any()) return surface;
+  const std::size_t first = linings.firstTriangle();
+  return {surface.positionsMm, surface.triangles.first(first),
+          surface.objectOfTriangle.first(first)};
+}
+
+// Of lists that follow each other, one an object, or where there are linings two: which are whose.
+void takeLists(std::span<const std::uint32_t> firstOfList, std::size_t objects,
+               SurfelDivision& surfels) {
+  const std::vector<std::uint32_t> roots = surfels.tree.rootOfObject;
+  const std::size_t lists = (firstOfList.size() - 1) / std::max<std::size_t>(objects, 1);
+  surfels.tree.rootOfObject.clear();
+  for (std::size_t i = 0; i < objects; ++i) {
+    surfels.firstOfObject.push_back(firstOfList[lists * i]);
+    surfels.tree.rootOfObject.push_back(roots[lists * i]);
+    surfels.firstLiningOfObject.push_back(firstOfList[lists * i + 1]);
+    surfels.liningRootOfObject.push_back(roots[lists * i + 1]);
+  }
+  surfels.firstOfObject.push_back(firstOfList.back());
+  surfels.tree.rootOfObject.push_back(roots.back());
+}
+
 }  // namespace
 
 SurfelDivision makeSurfels(const core::RestSurface& surface,
-                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels) {
+                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
+                           const Linings& linings) {
   const std::size_t objects = wantedSpacingMm.size();
+  const core::RestSurface outer = withoutLinings(surface, linings);
+  const std::size_t lining = linings.pieces().size();
   SurfelDivision surfels;
-  while (leastSurfels(surface, objects, surfels.piecesPerSurfel) > maxSurfels &&
-         surfels.piecesPerSurfel < surface.triangles.size()) {
+  const auto need = [&](std::uint32_t perSurfel) {
+    const std::size_t ofLinings = (lining + perSurfel - 1) / perSurfel + (lining > 0 ? objects : 0);
+    return leastSurfels(outer, objects, perSurfel) + ofLinings;
+  };
+  while (need(surfels.piecesPerSurfel) > maxSurfels &&
+         surfels.piecesPerSurfel < surface.triangles.size() + lining) {
     surfels.piecesPerSurfel *= 2;
   }
-  // An object's last surfel may be a part of one: room for that is kept.
-  const std::size_t full =
-      surfels.piecesPerSurfel == 1 ? maxSurfels : maxSurfels - std::min(objects, maxSurfels);
-  Cut made = cut(surface, wantedSpacingMm,
-                 std::max(full * surfels.piecesPerSurfel, surface.triangles.size()));
+  // An object's last surfel may be a part of one, and so may its lining's: room for that is kept.
+  const std::size_t partly = surfels.piecesPerSurfel == 1 ? 0 : lining > 0 ? 2 * objects : objects;
+  const std::size_t full = maxSurfels - std::min(partly, maxSurfels);
+  const std::size_t pieces = full * surfels.piecesPerSurfel;
+  Cut made = cut(outer, wantedSpacingMm,
+                 std::max(pieces - std::min(lining, pieces), outer.triangles.size()));
+  if (linings.any()) uncover(outer, linings, objects, made.pieces);
+  made.pieces.insert(made.pieces.end(), linings.pieces().begin(), linings.pieces().end());
   surfels.spacingOfObjectMm = std::move(made.spacingOfObjectMm);
   std::vector<std::vector<TreeItem>> items =
-      itemsOfObjects(surface, made.pieces, objects, surfels.piecesPerSurfel);
+      itemsOfObjects(surface, made.pieces, objects, surfels.piecesPerSurfel, linings);
   const std::vector<std::span<TreeItem>> spans(items.begin(), items.end());
   surfels.tree = makeTree(spans, surfels.piecesPerSurfel);
 
-  surfels.firstOfObject.push_back(0);
+  std::vector<std::uint32_t> firstOfList{0};
   for (const std::vector<TreeItem>& list : items) {
     for (const TreeItem& item : list) surfels.pieces.push_back(made.pieces[item.index]);
-    surfels.firstOfObject.push_back(
+    firstOfList.push_back(
         static_cast<std::uint32_t>(surfels.pieces.size() / surfels.piecesPerSurfel));
   }
-  if (surfels.piecesPerSurfel > 1) coarsenToMean(surface, surfels);
+  takeLists(firstOfList, objects, surfels);
+  if (surfels.piecesPerSurfel > 1) coarsenToMean(outer, surfels);
   surfels.vertexOrder = orderVertices(surface, surfels.pieces);
   return surfels;
 }

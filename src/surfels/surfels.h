@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "surfels/linings.h"
 #include "surfels/subdivision.h"
 #include "surfels/tree.h"
 
@@ -18,7 +19,11 @@ struct SurfelDivision {
   std::uint32_t piecesPerSurfel = 1;
   std::vector<Piece> pieces;
   std::vector<std::uint32_t> firstOfObject;  ///< surfel; one more than there are objects
-  std::vector<double> spacingOfObjectMm;     ///< that was reached
+  /// Surfel, behind the others of an object; where it has none, the first of the next object. The
+  /// node where their tree begins, beside that of the others, likewise.
+  std::vector<std::uint32_t> firstLiningOfObject;
+  std::vector<std::uint32_t> liningRootOfObject;
+  std::vector<double> spacingOfObjectMm;  ///< that was reached; of linings, as these have it
   Tree tree;
   std::vector<std::uint32_t> vertexOrder;  ///< all vertices, neighbours in space together
 
@@ -26,8 +31,10 @@ struct SurfelDivision {
 };
 
 /// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
-/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly.
+/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly. Linings come
+/// as they are, with the surface that has them.
 SurfelDivision makeSurfels(const core::RestSurface& surface,
-                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels);
+                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
+                           const Linings& linings = {});
 
 }  // namespace opaline::surfels

@@ -7,29 +7,12 @@
 #include <limits>
 #include <optional>
 
+#include "surfels/box.h"
 #include "surfels/vector.h"
 
 namespace opaline::surfels {
 
 namespace {
-
-struct Box {
-  Vector low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-             std::numeric_limits<double>::infinity()};
-  Vector high{-low[0], -low[1], -low[2]};
-
-  void include(const Vector& place) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], place[axis]);
-      high[axis] = std::max(high[axis], place[axis]);
-    }
-  }
-
-  void include(const Box& box) {
-    include(box.low);
-    include(box.high);
-  }
-};
 
 // Nodes that a ray looks at; the models of bodies take up to 200. Where thousands of long thin
 // parts lie upon each other the boxes of all of them meet.

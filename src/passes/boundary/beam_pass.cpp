@@ -21,15 +21,18 @@ std::uint32_t treesOf(const SceneTables& tables, const Beams& beams) {
 
 }  // namespace
 
+Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool withPaint) {
+  const auto make = [&](bool withLinings) -> gpu::Compute<shaders::BoundaryBeams> {
+    return {device,
+            "points of light",
+            rayShader<shaders::BoundaryBeams>(device),
+            {.withPaint = withPaint, .withLinings = withLinings}};
+  };
+  return {make(false), make(true)};
+}
+
 BeamPass::BeamPass(gpu::Device& device)
-    : trace_{{device,
-              "points of light",
-              rayShader<shaders::BoundaryBeams>(device),
-              {.withPaint = 0}},
-             {device,
-              "points of light",
-              rayShader<shaders::BoundaryBeams>(device),
-              {.withPaint = 1}}},
+    : trace_{makeTrace(device, false), makeTrace(device, true)},
       addMirrored_(device, "mirrored light", {.addsUp = 1}),
       takeMirrored_(device, "mirrored light", {.addsUp = 0}),
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
@@ -96,7 +99,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
 
 void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                      Clusters& clusters, Beams& beams) const {
-  commands.bind(trace_.of(inputs.tables.paint.any),
+  commands.bind(trace_.of(inputs.tables.paint.any, clusters.haveLinings),
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -112,7 +115,8 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .peaks = clusters.peaks,
                  .entered = clusters.entered,
                  .skyShares = clusters.skyShares,
-                 .clusterPaints = inputs.tables.paint.clusters},
+                 .clusterPaints = inputs.tables.paint.clusters,
+                 .opaqueShares = inputs.tables.opaqueShares},
                 {.clusterCount = clusters.count,
                  .firstLight = beam.firstLight,
                  .lights = beams.lights,

@@ -68,7 +68,10 @@ class BeamPass {
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                 Beams& beams) const;
 
-  Variants<shaders::BoundaryBeams> trace_;
+  /// Where nothing is painted, or no body has a lining, the shader has no code for it.
+  static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
+
+  VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< by paint, then linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;

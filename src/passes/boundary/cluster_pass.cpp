@@ -73,7 +73,9 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
         std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
     const std::uint32_t object = surface.objectOfTriangle[pieces.front().triangle];
     std::uint32_t kind = shared::opaqueBody;
-    if (!kinds.objectIsOpaque[object]) {
+    if (pieces.front().triangle >= kinds.firstLining) {
+      kind = shared::lining;
+    } else if (!kinds.objectIsOpaque[object]) {
       const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
       kind = inside ? shared::bodyWithInside : shared::openBody;
     }
@@ -194,6 +196,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   for (const shared::ClusterRange& range : ranges)
     clusters.partsOfSurfels = std::max(clusters.partsOfSurfels, partsOf(range));
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
+  clusters.haveLinings = std::any_of(ranges.begin(), ranges.end(), [](const auto& range) {
+    return range.kind == shared::lining;
+  });
   const std::vector<std::uint32_t> objectOfPatch = objectsOfPatches(ranges);
   clusters.patchCount = static_cast<std::uint32_t>(objectOfPatch.size());
   clusters.objectOfPatch =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
@@ -23,6 +24,7 @@ namespace opaline::passes {
 struct BodyKinds {
   std::vector<bool> triangleHasInside;  ///< of all objects
   std::vector<bool> objectIsOpaque;
+  std::uint32_t firstLining = ~0U;  ///< from that triangle on all are of linings
 };
 
 /// The places at which boundary transport is solved, as they are in this frame: shape, light that

@@ -37,8 +37,10 @@ SolverPass::SolverPass(gpu::Device& device)
                       {device, "further bounces", {.ofLast = 1, .withPaint = 1}}} {}
 
 SolverPass::Pipelines SolverPass::makePipelines(gpu::Device& device, bool withPaint) {
-  return {{device, "densities", {.withPaint = withPaint}},
-          {device, "product", {.withPaint = withPaint}},
+  return {{{device, "densities", {.withPaint = withPaint, .withLinings = 0}},
+           {device, "densities", {.withPaint = withPaint, .withLinings = 1}}},
+          {{device, "product", {.withPaint = withPaint, .withLinings = 0}},
+           {device, "product", {.withPaint = withPaint, .withLinings = 1}}},
           {device, "exitance of clusters", {.withPaint = withPaint}}};
 }
 
@@ -115,7 +117,7 @@ void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
 // Of the vector that the last product adds to the basis, or of diffuse light at the surface.
 void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, Of of,
                                SceneTables& tables, Clusters& clusters, Solver& solver) const {
-  commands.bind(pipelines(tables).densities,
+  commands.bind(pipelines(tables).densities.of(clusters.haveLinings),
                 {.objects = tables.objects,
                  .media = tables.media,
                  .clusterNodes = clusters.nodes,
@@ -127,7 +129,8 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
                  .nodes = solver.densities,
                  .states = solver.states,
                  .entered = clusters.entered,
-                 .clusterPaints = tables.paint.clusters},
+                 .clusterPaints = tables.paint.clusters,
+                 .opaqueShares = tables.opaqueShares},
                 {.clusterCount = clusters.count,
                  .smallCount = clusters.smallInnerCount,
                  .innerCount = clusters.innerCount,
@@ -148,7 +151,7 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const bool atSurface = step == 0 && entersAtSurface(order, tables);
-  commands.bind(pipelines(tables).product,
+  commands.bind(pipelines(tables).product.of(clusters.haveLinings),
                 {.objects = tables.objects,
                  .media = tables.media,
                  .tiles = clusters.tiles,
@@ -164,7 +167,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .sums = solver.sums,
                  .states = gpu::WriteIndirect(solver.states),
                  .entered = clusters.entered,
-                 .clusterPaints = tables.paint.clusters},
+                 .clusterPaints = tables.paint.clusters,
+                 .opaqueShares = tables.opaqueShares},
                 {.tileCount = clusters.tileCount,
                  .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,

@@ -53,10 +53,10 @@ class SolverPass {
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
-  /// Where nothing is painted the shaders have no code for it.
+  /// Where nothing is painted, or no body has a lining, the shaders have no code for it.
   struct Pipelines {
-    gpu::Compute<shaders::BoundaryDensities> densities;
-    gpu::Compute<shaders::BoundaryProduct> product;
+    Variants<shaders::BoundaryDensities> densities;
+    Variants<shaders::BoundaryProduct> product;
     gpu::Compute<shaders::BoundaryExitance> exitance;
   };
   static Pipelines makePipelines(gpu::Device& device, bool withPaint);

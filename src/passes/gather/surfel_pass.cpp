@@ -45,10 +45,17 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
   return packed;
 }
 
-std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made) {
+// Among those of the mesh.
+std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made,
+                                       const surfels::Linings& linings) {
   std::vector<std::uint32_t> triangles;
   triangles.reserve(made.pieces.size());
-  for (const surfels::Piece& piece : made.pieces) triangles.push_back(piece.triangle);
+  for (const surfels::Piece& piece : made.pieces) {
+    const bool isLining = piece.triangle >= linings.firstTriangle();
+    triangles.push_back(
+        isLining ? linings.triangleOfSolid()[piece.triangle - linings.firstTriangle()]
+                 : piece.triangle);
+  }
   return triangles;
 }
 
@@ -89,7 +96,8 @@ SurfelPass::SurfelPass(gpu::Device& device)
       nodes_(device, "nodes of the tree") {}
 
 Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
-                                const core::RestSurface& surface, bool keepsTriangles) {
+                                const core::RestSurface& surface, bool keepsTriangles,
+                                const surfels::Linings& linings) {
   Surfels surfels;
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;
@@ -97,7 +105,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
       gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), surfelBuffer);
   if (keepsTriangles)
     surfels.triangleOfPiece =
-        gpu::makeBuffer(device, "triangles of pieces", trianglesOf(made), surfelBuffer);
+        gpu::makeBuffer(device, "triangles of pieces", trianglesOf(made, linings), surfelBuffer);
   surfels.triangleCount = static_cast<std::uint32_t>(surface.triangles.size());
   surfels.piecesOfTriangles = gpu::makeBuffer(device, "pieces of triangles",
                                               piecesOfTriangles(made, surface), surfelBuffer);

@@ -25,7 +25,8 @@ class SurfelPass {
 
   /// `keepsTriangles`: Surfels::triangleOfPiece. For set-up, not for frames.
   static Surfels makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
-                             const core::RestSurface& surface, bool keepsTriangles = false);
+                             const core::RestSurface& surface, bool keepsTriangles = false,
+                             const surfels::Linings& linings = {});
 
   /// For the visibility of so many. For set-up, not for frames.
   static void makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels);

@@ -18,20 +18,21 @@ OpaquePass::OpaquePass(gpu::Device& device)
       fragments_(device, "opaque fragments"),
       behind_(device, "behind opaque fragments") {}
 
-void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters,
-                            OpaqueTables& opaque, SceneTables& tables) const {
-  tables.opaqueShares =
-      makeRoom<shared::OpaqueShare>(device, "shares of opaque clusters", clusters.count);
-  tables.opaqueExitances =
-      makeRoom<shared::vec4>(device, "exitance of opaque clusters", clusters.count);
+void OpaquePass::makeShares(gpu::Device& device, DeformedMesh& mesh, Surfels& surfels,
+                            Clusters& clusters, OpaqueTables& opaque, bool any,
+                            SceneTables& tables) const {
+  const std::uint32_t count = any ? clusters.count : 0;
+  tables.opaqueShares = makeRoom<shared::OpaqueShare>(device, "shares of opaque clusters", count);
+  tables.opaqueExitances = makeRoom<shared::vec4>(device, "exitance of opaque clusters", count);
+  if (count == 0) return;
   gpu::CommandList commands(device, "shares of opaque clusters");
   commands.begin();
-  recordShares(commands, surfels, clusters, opaque, tables);
+  recordShares(commands, mesh, surfels, clusters, opaque, tables);
   commands.submit();
 }
 
-void OpaquePass::recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
-                              OpaqueTables& opaque, SceneTables& tables) const {
+void OpaquePass::recordShares(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
+                              Clusters& clusters, OpaqueTables& opaque, SceneTables& tables) const {
   commands.beginPass("opaque");
   commands.bind(shares_,
                 {.surfaceMaterials = surfaceMaterials(opaque),
@@ -39,7 +40,8 @@ void OpaquePass::recordShares(gpu::CommandList& commands, Surfels& surfels, Clus
                  .media = tables.media,
                  .ranges = clusters.ranges,
                  .pieces = surfels.pieces,
-                 .shares = tables.opaqueShares},
+                 .shares = tables.opaqueShares,
+                 .objectOf = mesh.objectOf},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
   commands.endPass();

@@ -32,12 +32,13 @@ class OpaquePass {
   /// Takes pieces away where opaque bodies have holes. For set-up.
   void cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
               SceneTables& tables) const;
-  /// SceneTables::opaqueShares, once the rest of the tables is there. For set-up.
-  void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
-                  SceneTables& tables) const;
+  /// SceneTables::opaqueShares, once the rest of the tables is there; no more than what is bound all
+  /// the same where there are not `any` opaque materials. For set-up.
+  void makeShares(gpu::Device& device, DeformedMesh& mesh, Surfels& surfels, Clusters& clusters,
+                  OpaqueTables& opaque, bool any, SceneTables& tables) const;
   /// The same again in a frame, where materials have changed.
-  void recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
-                    OpaqueTables& opaque, SceneTables& tables) const;
+  void recordShares(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
+                    Clusters& clusters, OpaqueTables& opaque, SceneTables& tables) const;
 
   /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
   /// not followed. As boundary/opaque.comp has it.

@@ -65,7 +65,7 @@ struct FrameContext {
     if (!resources.materials) return;
     resources.materials->record(commands, plan.time, scene.opaque, resources.tables);
     if (resources.materials->changesOpaque() && resources.tables.opaqueShares)
-      passes.opaque.recordShares(commands, scene.surfels, scene.clusters, scene.opaque,
+      passes.opaque.recordShares(commands, mesh, scene.surfels, scene.clusters, scene.opaque,
                                  resources.tables);
   }
 

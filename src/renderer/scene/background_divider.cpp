@@ -4,8 +4,10 @@
 
 namespace opaline {
 
-void BackgroundDivider::want(const DivisionOrder& order, const scene::MergedMesh& merged) {
+void BackgroundDivider::want(const DivisionOrder& order, const scene::MergedMesh& merged,
+                             const surfels::Linings& linings) {
   merged_ = &merged;
+  linings_ = &linings;
   const bool there = next_ ? *next_ == order : future_.valid() && present_ == order;
   if (there) return;
   next_ = order;
@@ -16,7 +18,9 @@ void BackgroundDivider::start() {
   present_ = *next_;
   next_.reset();
   future_ = std::async(std::launch::async,
-                       [merged = merged_, order = present_] { return divide(*merged, order); });
+                       [merged = merged_, linings = linings_, order = present_] {
+                         return divide(*merged, order, *linings);
+                       });
 }
 
 std::optional<Division> BackgroundDivider::take(bool patient) {

@@ -11,8 +11,9 @@ namespace opaline {
 /// that was wanted since comes next.
 class BackgroundDivider {
  public:
-  /// `merged` stays as it is until forget().
-  void want(const DivisionOrder& order, const scene::MergedMesh& merged);
+  /// `merged` and its linings stay as they are until forget().
+  void want(const DivisionOrder& order, const scene::MergedMesh& merged,
+            const surfels::Linings& linings);
   /// What is done by now, or, for the patient, what was wanted last.
   std::optional<Division> take(bool patient);
   /// Waits for what is under way and drops it.
@@ -22,6 +23,7 @@ class BackgroundDivider {
   void start();
 
   const scene::MergedMesh* merged_ = nullptr;
+  const surfels::Linings* linings_ = nullptr;
   std::optional<DivisionOrder> next_;  // not begun
   DivisionOrder present_;              // under way
   std::future<Division> future_;

@@ -96,10 +96,13 @@ DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_
   return order;
 }
 
-Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
-  const core::RestSurface surface = scene::surfaceOf(merged);
-  Division made{order, surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels),
-                std::nullopt};
+Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
+                const surfels::Linings& linings) {
+  const core::RestSurface surface = linings.lined(scene::surfaceOf(merged));
+  Division made{
+      order,
+      surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels, linings),
+      std::nullopt};
   if (order.maxClusters > 0)
     made.clusters =
         surfels::makeClusters(surface, made.surfels, order.clustersOfObject, order.maxClusters);

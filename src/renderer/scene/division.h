@@ -8,8 +8,10 @@
 #include "opaline/medium.h"
 #include "opaline/scene.h"
 #include "renderer/scene/device_room.h"
+#include "renderer/scene/insides.h"
 #include "scene/mesh/merged_mesh.h"
 #include "surfels/clusters.h"
+#include "surfels/linings.h"
 #include "surfels/surfels.h"
 
 namespace opaline {
@@ -24,12 +26,6 @@ struct DivisionOrder {
   bool operator==(const DivisionOrder&) const = default;
 };
 
-/// Of each object; only known where there are clusters.
-struct Insides {
-  std::vector<bool> objectHasInside;  ///< it is translucent, and some part of it closed
-  std::vector<bool> objectIsOpen;     ///< some part of it is
-};
-
 /// Clusters where `maxClusters` says so; only then are insides asked for.
 DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_t maxSurfels,
                           std::optional<std::size_t> maxClusters);
@@ -42,7 +38,8 @@ struct Division {
 };
 
 /// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
-Division divide(const scene::MergedMesh& merged, const DivisionOrder& order);
+Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
+                const surfels::Linings& linings = {});
 
 /// Says what the budgets of surfels and of clusters leave to be wished for, and whether larger ones
 /// would help.

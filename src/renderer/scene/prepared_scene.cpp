@@ -77,7 +77,7 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   }
   media_ = scene.changes().media;
   if (!isProvisional()) return;
-  divider_.want(wanted_, scene.merged());
+  divider_.want(wanted_, scene.merged(), resources_->linings);
   const std::optional<Division> division = divider_.take(patient);
   if (!division || !(division->order == wanted_)) return;
   takeDivision(device_, *division, *resources_);

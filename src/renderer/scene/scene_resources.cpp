@@ -22,8 +22,6 @@
 #include "renderer/scene/device_room.h"
 #include "renderer/scene/opaque_tables.h"
 #include "scene/changes.h"
-#include "scene/mesh/insides.h"
-#include "scene/text.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/surfels.h"
 
@@ -184,45 +182,14 @@ void noteSpacing(SceneResources& resources) {
   }
 }
 
-// Of objects that are open, all over or in parts.
-void noteOpen(const std::vector<std::string_view>& names, bool inParts, const LogCallback& log) {
-  if (names.empty() || !log) return;
-  // One more is named, not counted.
-  constexpr std::size_t mostNamed = 3;
-  const std::size_t named = names.size() == mostNamed + 1 ? names.size() : mostNamed;
-  const bool one = names.size() == 1;
-  const std::string subject =
-      inParts ? (one ? "a part of object " : "parts of objects ") : (one ? "object " : "objects ");
-  log(LogLevel::Note,
-      fmt::format("{}{} {} open and {} no inside for boundary transport: light scatters there as "
-                  "in a half-space, by better-dipole",
-                  subject, scene::listed(names, named), one ? "is" : "are", one ? "has" : "have"));
-}
-
-void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {
-  std::vector<std::string_view> open;
-  std::vector<std::string_view> openInParts;
-  for (const Object& object : scene.objects) {
-    resources.kinds.objectIsOpaque.push_back(object.opaque.has_value());
-    std::vector<bool>& all = resources.kinds.triangleHasInside;
-    // Nobody sees a ground from below.
-    const std::vector<bool> inside =
-        object.isGround
-            ? std::vector<bool>(object.mesh.triangles.size(), true)
-            : scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
-    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
-    const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
-    resources.insides.objectHasInside.push_back(any && !object.opaque);
-    resources.insides.objectIsOpen.push_back(isOpen);
-    if (object.opaque) {
-      all.insert(all.end(), inside.size(), false);
-      continue;
-    }
-    all.insert(all.end(), inside.begin(), inside.end());
-    if (isOpen) (any ? openInParts : open).emplace_back(object.name);
-  }
-  noteOpen(open, false, log);
-  noteOpen(openInParts, true, log);
+// What the parts of the scene, and of its linings, are to boundary transport.
+passes::BodyKinds kindsOf(const SceneResources& resources) {
+  passes::BodyKinds kinds;
+  kinds.triangleHasInside = resources.insides.triangleHasInside;
+  for (std::size_t i = 0; i < resources.objects; ++i)
+    kinds.objectIsOpaque.push_back(resources.isOpaque(i));
+  if (resources.linings.any()) kinds.firstLining = resources.linings.firstTriangle();
+  return kinds;
 }
 
 bool hasNormals(const SceneResources& resources) {
@@ -242,7 +209,7 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
       object.backClusters = (made.firstOfObject[i + 1] - made.firstOfObject[i]) / 2;
   }
   resources.clusters =
-      passes::ClusterPass::makeClusters(device, made, surface, division.surfels, resources.kinds);
+      passes::ClusterPass::makeClusters(device, made, surface, division.surfels, kindsOf(resources));
   resources.solver =
       passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }
@@ -336,9 +303,13 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   if (needs.maxSurfels)
     requireRoom(resources.triangles, roomOf(device.limits()), device.info().name);
   makeMesh(device, scene, resources);
-  if (needs.maxClusters) findInsides(scene, resources, log);
+  if (needs.maxClusters) {
+    resources.insides = findInsides(scene, log);
+    resources.linings = findLinings(scene, merged, resources.insides, log);
+  }
   if (needs.maxSurfels) {
-    const Division division = divide(merged, orderFor(device, scene, resources));
+    const Division division =
+        divide(merged, orderFor(device, scene, resources), resources.linings);
     noteCoarseness(division, roomOf(device.limits()), log);
     takeDivision(device, division, resources);
   }
@@ -373,7 +344,8 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
-  const core::RestSurface surface = scene::surfaceOf(*resources.merged);
+  const core::RestSurface surface =
+      resources.linings.lined(scene::surfaceOf(*resources.merged));
   resources.divided = division.order;
   resources.surfels = {};  // before memory for the next is taken
   resources.rays = {};
@@ -384,11 +356,13 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     object.first = made.firstOfObject[i];
-    object.count = made.firstOfObject[i + 1] - object.first;
+    object.count = made.firstLiningOfObject[i] - object.first;
     object.root = made.tree.rootOfObject[i];
-    object.endNode = made.tree.rootOfObject[i + 1];
+    object.endNode = made.liningRootOfObject[i];
+    object.liningEndNode = made.tree.rootOfObject[i + 1];
   }
-  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources));
+  resources.surfels =
+      passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources), resources.linings);
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
   if (division.clusters || resources.needs.rays)

@@ -10,6 +10,7 @@
 #include "passes/boundary/cluster_pass.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
+#include "renderer/scene/insides.h"
 #include "renderer/scene/texture_packer.h"
 #include "scene/mesh/merged_mesh.h"
 #include "shaders/shared/opaque.h"
@@ -32,9 +33,10 @@ struct SceneNeeds {
 /// Where an object's surfels lie among all.
 struct SurfelsOfObject {
   std::uint32_t first = 0;
-  std::uint32_t count = 0;
+  std::uint32_t count = 0;           ///< without those of its lining
   std::uint32_t root = 0;            ///< among the tree's nodes
   std::uint32_t endNode = 0;         ///< the node after its tree
+  std::uint32_t liningEndNode = 0;   ///< and after that of its lining, which follows
   double sourceSpacingMm = 0;        ///< root of the mean area that a source stands for
   bool coarse = false;               ///< sources are too far apart for the medium
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
@@ -78,8 +80,8 @@ struct SceneResources {
   std::vector<std::uint32_t> materialOfObject;      ///< where it has one, else 0
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
-  passes::BodyKinds kinds;  ///< these two where clusters are needed
-  Insides insides;
+  Insides insides;           ///< these two where clusters are needed
+  surfels::Linings linings;
   std::vector<bool> letsLightThrough;    ///< of objects, in some clip
   DivisionOrder divided;                 ///< that the surfels were made for
   std::optional<paper::FlatScene> flat;  ///< none until the paper's map is asked for

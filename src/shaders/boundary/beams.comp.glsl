@@ -30,8 +30,10 @@ layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored 
 layout(std430, set = 0, binding = 12) buffer Peaks { uint peaks[]; };  // of lights
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
+layout(std430, set = 0, binding = 16) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
+layout(constant_id = 1) const uint withLinings = 0u;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -78,6 +80,14 @@ float reflectedInside(Body body, float cosine) {
   return fresnelReflectance(1.0 / body.eta, min(cosine, 1.0));
 }
 
+bool isLining(uint piece) {
+  return withLinings != 0u && ranges[clusterOfSurfel[piece / piecesPerSurfel]].kind == lining;
+}
+
+vec3 givenBackBy(uint piece) {
+  return min(opaqueShares[clusterOfSurfel[piece / piecesPerSurfel]].share.rgb, vec3(1.0));
+}
+
 RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
   return nearestExit(origin, direction, body.side, body.least, furthest, body.target);
 }
@@ -104,7 +114,9 @@ vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float sh
     vec3 normal = facetNormal(hit.piece);
     origin += hit.distance * direction;
     path -= hit.distance;
-    share *= reflectedInside(body, abs(dot(direction, normal)));
+    // Evenly scattered light that is mirrored at a lining leaves it as light that goes on evenly from there.
+    share *= isLining(hit.piece) ? givenBackBy(hit.piece)[channel]
+                                 : reflectedInside(body, abs(dot(direction, normal)));
     direction = reflect(direction, normal);
     if (share <= 0.0) break;
   }
@@ -183,6 +195,9 @@ vec3 throughPaint(uint cluster, Body body, float cosine) {
   return throughLayer(clusterPaints[cluster].entering.rgb, body.medium.sigma.w, cosine);
 }
 
+// A lining sends light on evenly: along its normal, by a way as much longer as its mean cosine asks for.
+const float cosineOfEven = 2.0 / 3.0;
+
 void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit) {
   vec3 extinction = body.medium.collision.rgb;
   bool further = cluster.second.rgb != vec3(0.0);
@@ -191,11 +206,15 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
     if (hit.piece == noPiece) return;
     vec3 normal = facetNormal(hit.piece);
     float cosine = abs(dot(direction, normal));
-    left *= exp(-extinction * hit.distance) * reflectedInside(body, cosine);
-    if (withPaint != 0u) left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
+    left *= exp(-extinction * hit.distance);
+    bool ends = isLining(hit.piece);
+    left *= ends ? givenBackBy(hit.piece) : vec3(reflectedInside(body, cosine));
+    if (withPaint != 0u && !ends)
+      left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
     if (largestOf(left) < leastShare) return;
     origin += hit.distance * direction;
-    direction = reflect(direction, normal);
+    direction = ends ? -body.side * normal : reflect(direction, normal);
+    extinction = ends ? body.medium.collision.rgb / cosineOfEven : body.medium.collision.rgb;
     hit = nextHit(body, origin, direction, 3e38);
     float lengthMm = min(hit.distance, 1e18);
     vec3 collides = 1.0 - exp(-extinction * lengthMm);
@@ -251,7 +270,7 @@ void main() {
   light = firstLight + beam / clusterCount;
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
-  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.y, ranges[i].object);
+  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.w, ranges[i].object);
   Entry entry = entries[light * clusterCount + i];
   float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
   Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));

@@ -194,11 +194,11 @@ void main() {
   vec3 facet = unitOr(there.vectorArea, normal);
   vec3 along = unitOr(there.corners[1] - there.corners[0], vec3(1.0, 0.0, 0.0));
 
-  float reach = max(1.2 * radius, reachInEdges * sqrt(area));
+  float reach = range.kind == lining ? 0.0 : max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
                         vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0));
-  float areaOfEntries = range.kind == openBody ? 0.0 : area;
-  if (range.kind != bodyWithInside) {
+  float areaOfEntries = range.kind == openBody || range.kind == lining ? 0.0 : area;
+  if (!boundsDiffusion(range.kind)) {
     cluster.centroidArea.w = 0.0;
     cluster.vectorArea = vec4(0.0);
     area = 0.0;

@@ -10,6 +10,8 @@
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_NODES 2
 #define BINDING_CLUSTER_PAINTS 11
+#define BINDING_OPAQUE_SHARES 12
+#define LININGS
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
 #include "lib/over_or_0.glsl"
@@ -18,6 +20,11 @@
 
 layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
+
+ClusterRange rangeOf(uint cluster) {
+  return ranges[cluster];
+}
+
 layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
 layout(set = 0, binding = 6) uniform samplerBuffer products;
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };

@@ -62,6 +62,12 @@ vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind == opaqueBody) return;
+  if (ranges[i].kind == lining) {  // nothing leaves there
+    latest[i] = vec4(0.0);
+    enteredBefore[i] = vec4(0.0);
+    exitances[i] = vec4(0.0);
+    return;
+  }
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   vec3 leaves = fluenceOf(i) / (2.0 * medium.diffusion.w);
   if (scattersOnce != 0u) leaves += latest[i].rgb;

@@ -1,5 +1,6 @@
 // What clusters of opaque bodies give back of light and let through, and what they send out by themselves: means of
-// their materials over their pieces, by the areas of these at rest.
+// their materials over their pieces, by the areas of these at rest. Of linings, the share given back to the light in the
+// body: nothing lies between the two that would mirror it, but for metal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -16,6 +17,7 @@
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Shares { OpaqueShare shares[]; };
+layout(std430, set = 0, binding = 9) readonly buffer ObjectOf { uint objectOf[]; };  // of vertices
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -32,12 +34,19 @@ void main() {
   if (i >= clusterCount) return;
   ClusterRange range = ranges[i];
   OpaqueShare sum = OpaqueShare(vec4(0.0), vec4(0.0), vec4(0.0));
-  uint end = range.kind == opaqueBody ? range.endSurfel * piecesPerSurfel : 0u;
-  OpaqueData material = opaques[mediumAt(objects[range.object], vec3(0.0)).tables.y];
+  bool isLining = range.kind == lining;
+  uint end = range.kind == opaqueBody || isLining ? range.endSurfel * piecesPerSurfel : 0u;
   float area = 0.0;
   for (uint k = range.firstSurfel * piecesPerSurfel; k < end; ++k) {
     SurfelPiece piece = pieces[k];
+    uint object = isLining ? objectOf[piece.a] : range.object;
+    OpaqueData material = opaques[mediumAt(objects[object], vec3(0.0)).tables.y];
     SeenMaterial found = materialAt(material, placeOfPiece(piece, material));
+    if (isLining) {
+      sum.share.rgb += piece.areaMm2 * (found.diffuse.rgb + found.metal.w * found.metal.rgb);
+      area += piece.areaMm2;
+      continue;
+    }
     vec3 byDielectric = mirroredBy(found.dielectric.rgb, found.dielectric.w);
     vec3 mirrored = mix(byDielectric, mirroredBy(found.metal.rgb, 1.0), found.metal.w);
     float left = 1.0 - largestOf(byDielectric);

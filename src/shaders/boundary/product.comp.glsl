@@ -14,12 +14,19 @@
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
 #define BINDING_CLUSTER_PAINTS 15
+#define BINDING_OPAQUE_SHARES 16
 #include "lib/cluster_walk.glsl"
+#define LININGS
 #include "lib/painted_cluster.glsl"
 #include "lib/tile_sum.glsl"
 
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
+
+ClusterRange rangeOf(uint cluster) {
+  return ranges[cluster];
+}
+
 layout(std430, set = 0, binding = 7) readonly buffer Lists { uint lists[]; };
 layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode, of each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
@@ -135,7 +142,7 @@ void sumActions() {
 
 // Of all that act on a cluster, and of itself.
 vec3 productOf(uint i, vec3 sum) {
-  if (ranges[i].kind != bodyWithInside) return vec3(0.0);  // there is no equation
+  if (!boundsDiffusion(ranges[i].kind)) return vec3(0.0);  // there is no equation
   Cluster cluster = clusters[i];
   vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = basis[(step - 1u) * clusterCount + i].rgb;
@@ -150,7 +157,7 @@ vec3 enteredFluence(uint i) {
 // α' times the sources, less (c + K) on what has entered. That is nothing where this is even and nothing
 // is absorbed, since c comes from the same sums as K.
 vec3 rightSideOf(uint i, vec3 sum) {
-  if (ranges[i].kind != bodyWithInside) return vec3(0.0);
+  if (!boundsDiffusion(ranges[i].kind)) return vec3(0.0);
   vec3 right = medium.scatters.rgb * sources[i].rgb;
   if (atSurface != 0u) right -= sum / (4.0 * pi) + enteredFluence(i) * clusters[i].vectorArea.w;
   return right;

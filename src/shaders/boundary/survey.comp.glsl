@@ -181,6 +181,12 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
                  all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean, meets > 0.0 ? meets / nearness : 3e38);
 }
 
+// From within a body.
+SkySeen seeNothing(uint i, ObjectData body) {
+  for (uint k = 0u; k < raysOutwards; ++k) meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
+  return SkySeen(vec3(0.0), 0.0, insideOf(body).sigma.w, 0.0);
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
@@ -189,10 +195,15 @@ void main() {
   ObjectData body = objects[range.object];
   RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
                                rayStartOf(cluster), 3e38,
-                               RayTarget(body.tree.x, body.tree.y, range.object));
+                               RayTarget(body.tree.x, body.tree.w, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
-  SkySeen sky = raysOutwards > 0u ? lookAround(i, cluster, range)
-                                  : SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w, 0.0);
+  SkySeen sky = SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w, 0.0);
+  if (raysOutwards > 0u) {
+    if (range.kind == lining)
+      sky = seeNothing(i, body);
+    else
+      sky = lookAround(i, cluster, range);
+  }
   skyShares[i] = vec4(sky.share, sky.light);
   clusters[i].start.w = range.kind == opaqueBody ? sky.room : thickness;
   clusters[i].facet.w = sky.slant;

@@ -138,7 +138,7 @@ void putLight(uint target, vec3 sum, vec3 own, vec3 factor) {
   uint i = tile.firstCluster + target;
   if (isFirst != 0u) sum += own;
   sum *= factor;
-  if (ranges[i].kind != bodyWithInside) sum = vec3(0.0);
+  if (!boundsDiffusion(ranges[i].kind)) sum = vec3(0.0);
   sums[i] = vec4(adds != 0u ? sums[i].rgb + sum : sum, 0.0);
 }
 

@@ -30,22 +30,30 @@ struct ClusterRange {
   uint tile;
 };
 
-/// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
+/// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it. Where
+/// it ends within, at an opaque thing, is the lining of such a body.
 OPALINE_BOUNDARY_CONSTANT openBody = 0u;
 OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
 OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
+OPALINE_BOUNDARY_CONSTANT lining = 3u;
+
+/// Whether clusters of that kind are a boundary of the diffusion.
+OPALINE_BOUNDARY_INLINE bool boundsDiffusion(uint kind) {
+  return kind == bodyWithInside || kind == lining;
+}
 
 /// A patch is of so many surfels that follow each other, or of what is left of a cluster. Opaque
-/// bodies have none.
+/// bodies and linings have none.
 OPALINE_BOUNDARY_CONSTANT surfelsOfPatch = 4u;
 
 /// They follow each other from range.firstPatch.
 OPALINE_BOUNDARY_INLINE uint patchesOf(ClusterRange range) {
-  if (range.kind == opaqueBody) return 0u;
+  if (range.kind == opaqueBody || range.kind == lining) return 0u;
   return (range.endSurfel - range.firstSurfel + surfelsOfPatch - 1u) / surfelsOfPatch;
 }
 
-/// What a cluster of an opaque body sends out: of the light that falls on it and on its other side.
+/// What a cluster of an opaque body sends out: of the light that falls on it and on its other side;
+/// of a lining, of the light in the body.
 struct OpaqueShare {
   vec4 share;     // rgb: given back
   vec4 through;   // rgb: let through from the other side

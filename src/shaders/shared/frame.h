@@ -67,7 +67,8 @@ struct ObjectData {
                 // fragments, 0 at vertices
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree; z: how many clusters
                 // an opaque sheet, or what lets light through, has of its back, each so many after
-                // that of the front, 0 of others
+                // that of the front, 0 of others; w: the node after the
+                // tree of its lining, which follows its own
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where they have what is seen of some part of the body; w: 1 where
                    // it is opaque, 2 where light may go through it all the same

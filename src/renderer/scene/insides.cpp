@@ -1,0 +1,95 @@
+#include "renderer/scene/insides.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "scene/changes.h"
+#include "scene/mesh/insides.h"
+#include "scene/text.h"
+
+namespace opaline {
+
+namespace {
+
+// One more is named, not counted.
+std::string listed(const std::vector<std::string_view>& names) {
+  constexpr std::size_t mostNamed = 3;
+  return scene::listed(names, names.size() == mostNamed + 1 ? names.size() : mostNamed);
+}
+
+// Of objects that are open, all over or in parts.
+void noteOpen(const std::vector<std::string_view>& names, bool inParts, const LogCallback& log) {
+  if (names.empty() || !log) return;
+  const bool one = names.size() == 1;
+  const std::string subject =
+      inParts ? (one ? "a part of object " : "parts of objects ") : (one ? "object " : "objects ");
+  log(LogLevel::Note,
+      fmt::format("{}{} {} open and {} no inside for boundary transport: light scatters there as "
+                  "in a half-space, by better-dipole",
+                  subject, listed(names), one ? "is" : "are", one ? "has" : "have"));
+}
+
+void noteSheetsInside(const std::vector<std::string_view>& names, const LogCallback& log) {
+  if (names.empty() || !log) return;
+  const bool one = names.size() == 1;
+  log(LogLevel::Note,
+      fmt::format("object{} {} {} in a translucent one, whose light goes through {}: only what is "
+                  "opaque and closed ends it",
+                  one ? "" : "s", listed(names), one ? "lies" : "lie", one ? "it" : "them"));
+}
+
+surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasInside) {
+  using surfels::Substance;
+  const Object& its = scene.objects[object];
+  if (its.isGround) return Substance::Other;
+  if (!its.opaque) return hasInside ? Substance::Medium : Substance::Other;
+  const bool hasHoles = its.opaque->alphaCutoff > 0;
+  const bool isSheet = !hasInside || hasHoles || scene::letsLightThrough(scene, object);
+  return isSheet ? Substance::Sheet : Substance::Solid;
+}
+
+}  // namespace
+
+Insides findInsides(const Scene& scene, const LogCallback& log) {
+  Insides insides;
+  std::vector<std::string_view> open;
+  std::vector<std::string_view> openInParts;
+  for (const Object& object : scene.objects) {
+    // Nobody sees a ground from below.
+    const std::vector<bool> inside =
+        object.isGround
+            ? std::vector<bool>(object.mesh.triangles.size(), true)
+            : scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
+    const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
+    insides.objectHasInside.push_back(any && !object.opaque);
+    insides.objectIsOpen.push_back(isOpen);
+    std::vector<bool>& all = insides.triangleHasInside;
+    all.insert(all.end(), inside.begin(), inside.end());
+    if (isOpen && !object.opaque) (any ? openInParts : open).emplace_back(object.name);
+  }
+  noteOpen(open, false, log);
+  noteOpen(openInParts, true, log);
+  return insides;
+}
+
+surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged,
+                             const Insides& insides, const LogCallback& log) {
+  std::vector<surfels::Substance> substances;
+  substances.reserve(merged.triangles.size());
+  for (std::size_t t = 0; t < merged.triangles.size(); ++t)
+    substances.push_back(
+        substanceOf(scene, merged.objectOfTriangle[t], insides.triangleHasInside[t]));
+  surfels::Linings linings(scene::surfaceOf(merged), substances);
+  std::vector<std::string_view> sheets;
+  for (const std::uint32_t object : linings.sheetsInside())
+    sheets.emplace_back(scene.objects[object].name);
+  noteSheetsInside(sheets, log);
+  return linings;
+}
+
+}  // namespace opaline

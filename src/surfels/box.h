@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "surfels/vector.h"
+
+namespace opaline::surfels {
+
+/// Around places, along the axes, mm; of nothing at first.
+struct Box {
+  Vector low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+             std::numeric_limits<double>::infinity()};
+  Vector high{-low[0], -low[1], -low[2]};
+
+  void include(const Vector& place) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], place[axis]);
+      high[axis] = std::max(high[axis], place[axis]);
+    }
+  }
+
+  void include(const Box& box) {
+    include(box.low);
+    include(box.high);
+  }
+
+  /// Whether they have any place in common.
+  bool meets(const Box& other) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!(low[axis] <= other.high[axis] && other.low[axis] <= high[axis])) return false;
+    return true;
+  }
+
+  double diagonal() const {
+    const Vector extent = difference(high, low);
+    return std::sqrt(dot(extent, extent));
+  }
+};
+
+}  // namespace opaline::surfels
