@@ -113,8 +113,7 @@ class Divider {
       if (!linkOf(surfels_.tree, node).leaf && below_[node].isTooLarge()) needs.push(needOf(node));
     };
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
-    for (std::size_t object = 0; object + 1 < roots.size(); ++object)
-      forEachRoot(object, take);
+    for (std::size_t object = 0; object + 1 < roots.size(); ++object) forEachRoot(object, take);
     while (!needs.empty()) {
       const std::uint32_t node = needs.top().node;
       std::size_t children = 0;

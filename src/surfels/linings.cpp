@@ -19,7 +19,8 @@ namespace {
 // as large as a hole made for it, does not touch it.
 constexpr double reachesIn = 1e-4;
 
-// Size of pieces over that of the body's usual clusters, a quarter of which is that of the smallest.
+// Size of pieces over that of the body's usual clusters, a quarter of which is that of the
+// smallest.
 constexpr double pieceOverCluster = 0.25;
 
 // There are no more pieces than that, but larger ones.
@@ -150,11 +151,10 @@ class Linings::Finder {
       for (const Vector& corner : corners) box.include(corner);
       return inside.box().meets(box);
     };
-    const std::optional<std::vector<Piece>> pieces = subdivideWhere(
-        surface_, triangle, spacingMm, mostPieces - made.pieces_.size(), nearBody);
+    const std::optional<std::vector<Piece>> pieces =
+        subdivideWhere(surface_, triangle, spacingMm, mostPieces - made.pieces_.size(), nearBody);
     if (!pieces) return false;
-    const auto its =
-        static_cast<std::uint32_t>(made.firstTriangle_ + made.triangleOfSolid_.size());
+    const auto its = static_cast<std::uint32_t>(made.firstTriangle_ + made.triangleOfSolid_.size());
     bool any = false;
     for (const Piece& piece : *pieces) {
       if (!isLining(vectorOf(middleOfMm(surface_, piece)), normal, body, solid)) continue;

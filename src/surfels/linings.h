@@ -31,7 +31,8 @@ class Linings {
 
   bool any() const { return !pieces_.empty(); }
 
-  /// That surface and behind it the triangles of linings, each of the object whose light ends there.
+  /// That surface and behind it the triangles of linings, each of the object whose light ends
+  /// there.
   core::RestSurface lined(const core::RestSurface& surface) const;
   /// The first of these. Of each, the solid's triangle.
   std::uint32_t firstTriangle() const { return firstTriangle_; }

@@ -38,9 +38,9 @@ std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,
                                             std::span<const double> spacingOfObjectMm,
                                             std::size_t limit);
 
-/// The same of one triangle, of those pieces that are of use. `isOfUse` is asked of the corners, mm,
-/// of every part on the way to them, and holds of each that has a part of use. Nothing when there
-/// are more than `limit`.
+/// The same of one triangle, of those pieces that are of use. `isOfUse` is asked of the corners,
+/// mm, of every part on the way to them, and holds of each that has a part of use. Nothing when
+/// there are more than `limit`.
 std::optional<std::vector<Piece>> subdivideWhere(
     const core::RestSurface& surface, std::uint32_t triangle, double spacingMm, std::size_t limit,
     const std::function<bool(const std::array<std::array<double, 3>, 3>&)>& isOfUse);

@@ -31,8 +31,8 @@ struct SurfelDivision {
 };
 
 /// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
-/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly. Linings come
-/// as they are, with the surface that has them.
+/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly. Linings
+/// come as they are, with the surface that has them.
 SurfelDivision makeSurfels(const core::RestSurface& surface,
                            std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
                            const Linings& linings = {});

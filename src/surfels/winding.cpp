@@ -82,8 +82,8 @@ void WindingNumber::add(std::uint32_t first, std::uint32_t end) {
     Box middles;
     for (std::uint32_t t = first; t < end; ++t) middles.include(middleOf(triangles_[t]));
     const Vector extent = difference(middles.high, middles.low);
-    const auto axis = static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) -
-                                               extent.begin());
+    const auto axis =
+        static_cast<std::size_t>(std::max_element(extent.begin(), extent.end()) - extent.begin());
     const std::uint32_t half = first + (end - first) / 2;
     std::nth_element(triangles_.begin() + first, triangles_.begin() + half,
                      triangles_.begin() + end, [axis](const Corners& a, const Corners& b) {

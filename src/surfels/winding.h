@@ -18,7 +18,7 @@ class WindingNumber {
   /// Of those triangles of the surface, which it copies.
   WindingNumber(const core::RestSurface& surface, std::span<const std::uint32_t> triangles);
 
-  /// Within .01 but on the surface itself, where it may be any number.
+  /// Within .02 but on the surface itself, where it may be any number.
   double at(const Vector& placeMm) const;
   bool isInside(const Vector& placeMm) const;
 

@@ -196,9 +196,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   for (const shared::ClusterRange& range : ranges)
     clusters.partsOfSurfels = std::max(clusters.partsOfSurfels, partsOf(range));
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
-  clusters.haveLinings = std::any_of(ranges.begin(), ranges.end(), [](const auto& range) {
-    return range.kind == shared::lining;
-  });
+  clusters.haveLinings = std::any_of(
+      ranges.begin(), ranges.end(), [](const auto& range) { return range.kind == shared::lining; });
   const std::vector<std::uint32_t> objectOfPatch = objectsOfPatches(ranges);
   clusters.patchCount = static_cast<std::uint32_t>(objectOfPatch.size());
   clusters.objectOfPatch =

@@ -52,9 +52,9 @@ std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made,
   triangles.reserve(made.pieces.size());
   for (const surfels::Piece& piece : made.pieces) {
     const bool isLining = piece.triangle >= linings.firstTriangle();
-    triangles.push_back(
-        isLining ? linings.triangleOfSolid()[piece.triangle - linings.firstTriangle()]
-                 : piece.triangle);
+    triangles.push_back(isLining
+                            ? linings.triangleOfSolid()[piece.triangle - linings.firstTriangle()]
+                            : piece.triangle);
   }
   return triangles;
 }

@@ -32,8 +32,8 @@ class OpaquePass {
   /// Takes pieces away where opaque bodies have holes. For set-up.
   void cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
               SceneTables& tables) const;
-  /// SceneTables::opaqueShares, once the rest of the tables is there; no more than what is bound all
-  /// the same where there are not `any` opaque materials. For set-up.
+  /// SceneTables::opaqueShares, once the rest of the tables is there; no more than what is bound
+  /// all the same where there are not `any` opaque materials. For set-up.
   void makeShares(gpu::Device& device, DeformedMesh& mesh, Surfels& surfels, Clusters& clusters,
                   OpaqueTables& opaque, bool any, SceneTables& tables) const;
   /// The same again in a frame, where materials have changed.

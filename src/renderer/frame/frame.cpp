@@ -31,6 +31,9 @@ passes::ScatterSite scatterSite(Site site) {
 // where the light enters.
 constexpr float residualOfLight = 0.3F;
 constexpr float residualOfBounce = 1;
+// Behind opaque things in a body it is darker yet, and that what leaves there is a small difference
+// of large sums: as many times less.
+constexpr float residualBehindLinings = 0.1F;
 
 constexpr float widestOpening = 0.5F;
 
@@ -170,7 +173,8 @@ struct FrameContext {
       else
         passes.beams.recordLights(commands, inputs,
                                   {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0}, clusters);
-      const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
+      const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance *
+                              (clusters.haveLinings ? residualBehindLinings : 1);
       passes.solver.record(commands,
                            {.solution = static_cast<std::uint32_t>(bounce),
                             .openingAngle = openingAngle,

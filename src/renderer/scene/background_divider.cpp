@@ -17,10 +17,10 @@ void BackgroundDivider::want(const DivisionOrder& order, const scene::MergedMesh
 void BackgroundDivider::start() {
   present_ = *next_;
   next_.reset();
-  future_ = std::async(std::launch::async,
-                       [merged = merged_, linings = linings_, order = present_] {
-                         return divide(*merged, order, *linings);
-                       });
+  future_ =
+      std::async(std::launch::async, [merged = merged_, linings = linings_, order = present_] {
+        return divide(*merged, order, *linings);
+      });
 }
 
 std::optional<Division> BackgroundDivider::take(bool patient) {

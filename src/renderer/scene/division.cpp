@@ -99,10 +99,9 @@ DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
                 const surfels::Linings& linings) {
   const core::RestSurface surface = linings.lined(scene::surfaceOf(merged));
-  Division made{
-      order,
-      surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels, linings),
-      std::nullopt};
+  Division made{order,
+                surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels, linings),
+                std::nullopt};
   if (order.maxClusters > 0)
     made.clusters =
         surfels::makeClusters(surface, made.surfels, order.clustersOfObject, order.maxClusters);

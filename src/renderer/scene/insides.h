@@ -11,8 +11,8 @@ namespace opaline {
 
 /// What has an inside; only known where there are clusters.
 struct Insides {
-  std::vector<bool> objectHasInside;     ///< it is translucent, and some part of it closed
-  std::vector<bool> objectIsOpen;        ///< some part of it is
+  std::vector<bool> objectHasInside;      ///< it is translucent, and some part of it closed
+  std::vector<bool> objectIsOpen;         ///< some part of it is
   std::vector<bool> triangleHasInside{};  ///< of all objects: the part that it is of is closed
 };
 

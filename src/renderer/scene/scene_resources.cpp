@@ -208,8 +208,8 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
     if (division.order.clustersOfObject[i].bothSides)
       object.backClusters = (made.firstOfObject[i + 1] - made.firstOfObject[i]) / 2;
   }
-  resources.clusters =
-      passes::ClusterPass::makeClusters(device, made, surface, division.surfels, kindsOf(resources));
+  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
+                                                         kindsOf(resources));
   resources.solver =
       passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }
@@ -308,8 +308,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
     resources.linings = findLinings(scene, merged, resources.insides, log);
   }
   if (needs.maxSurfels) {
-    const Division division =
-        divide(merged, orderFor(device, scene, resources), resources.linings);
+    const Division division = divide(merged, orderFor(device, scene, resources), resources.linings);
     noteCoarseness(division, roomOf(device.limits()), log);
     takeDivision(device, division, resources);
   }
@@ -344,8 +343,7 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
-  const core::RestSurface surface =
-      resources.linings.lined(scene::surfaceOf(*resources.merged));
+  const core::RestSurface surface = resources.linings.lined(scene::surfaceOf(*resources.merged));
   resources.divided = division.order;
   resources.surfels = {};  // before memory for the next is taken
   resources.rays = {};
@@ -361,8 +359,8 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
     object.endNode = made.liningRootOfObject[i];
     object.liningEndNode = made.tree.rootOfObject[i + 1];
   }
-  resources.surfels =
-      passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources), resources.linings);
+  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources),
+                                                      resources.linings);
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
   if (division.clusters || resources.needs.rays)

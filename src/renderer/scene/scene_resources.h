@@ -80,7 +80,7 @@ struct SceneResources {
   std::vector<std::uint32_t> materialOfObject;      ///< where it has one, else 0
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
-  Insides insides;           ///< these two where clusters are needed
+  Insides insides;  ///< these two where clusters are needed
   surfels::Linings linings;
   std::vector<bool> letsLightThrough;    ///< of objects, in some clip
   DivisionOrder divided;                 ///< that the surfels were made for

@@ -227,8 +227,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     const SurfelsOfObject& surfels = resources.surfelsOfObject[i];
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
-    objects[i].tree = {surfels.root, surfels.endNode, surfels.backClusters,
-                       surfels.liningEndNode};
+    objects[i].tree = {surfels.root, surfels.endNode, surfels.backClusters, surfels.liningEndNode};
     const bool isOpaque = resources.isOpaque(i);
     const bool carries = isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,

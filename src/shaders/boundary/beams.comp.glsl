@@ -198,23 +198,34 @@ vec3 throughPaint(uint cluster, Body body, float cosine) {
 // A lining sends light on evenly: along its normal, by a way as much longer as its mean cosine asks for.
 const float cosineOfEven = 2.0 / 3.0;
 
-void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit) {
-  vec3 extinction = body.medium.collision.rgb;
+// Of light that comes evenly, 2C₁.
+float reflectedOfEven(Body body) {
+  float critical = body.medium.albedo.w;
+  return 1.0 - body.medium.extinction.w * (1.0 - critical * critical);
+}
+
+// Of light that meets a piece of the surface, how much goes on.
+vec3 reflectedBy(uint piece, Body body, bool isEven, float cosine) {
+  if (isLining(piece)) return givenBackBy(piece);
+  return vec3(isEven ? reflectedOfEven(body) : reflectedInside(body, cosine));
+}
+
+void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit, vec3 extinction) {
   bool further = cluster.second.rgb != vec3(0.0);
+  bool isEven = false;
   vec3 left = vec3(1.0);
   for (uint s = 1u; s <= maxReflections; ++s) {
     if (hit.piece == noPiece) return;
     vec3 normal = facetNormal(hit.piece);
     float cosine = abs(dot(direction, normal));
-    left *= exp(-extinction * hit.distance);
-    bool ends = isLining(hit.piece);
-    left *= ends ? givenBackBy(hit.piece) : vec3(reflectedInside(body, cosine));
-    if (withPaint != 0u && !ends)
+    left *= exp(-extinction * hit.distance) * reflectedBy(hit.piece, body, isEven, cosine);
+    if (withPaint != 0u && !isLining(hit.piece))
       left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
     if (largestOf(left) < leastShare) return;
     origin += hit.distance * direction;
-    direction = ends ? -body.side * normal : reflect(direction, normal);
-    extinction = ends ? body.medium.collision.rgb / cosineOfEven : body.medium.collision.rgb;
+    isEven = isEven || isLining(hit.piece);
+    direction = isEven ? -body.side * normal : reflect(direction, normal);
+    if (isEven) extinction = body.medium.collision.rgb / cosineOfEven;
     hit = nextHit(body, origin, direction, 3e38);
     float lengthMm = min(hit.distance, 1e18);
     vec3 collides = 1.0 - exp(-extinction * lengthMm);
@@ -227,6 +238,13 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
       if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths, share), direction, which, 1u);
     }
   }
+}
+
+// Of light from everywhere, what a lining below the cluster gives back.
+void backFromLining(Body body, uint i, Cluster cluster, vec3 extinction) {
+  RayHit hit = nextHit(body, cluster.start.xyz, -cluster.facet.xyz, 3e38);
+  if (hit.piece != noPiece && isLining(hit.piece))
+    reflections(body, i, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
 }
 
 // Of light of a large area light, the mean cosine inside: by four places that halve it each way.
@@ -290,6 +308,7 @@ void main() {
   if (everywhere) {
     vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
+    if (withLinings != 0u) backFromLining(body, i, cluster, extinction);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
     vec3 toLight = light < firstAreaLight() ? incidentLight(light, entry.place.xyz).direction
@@ -306,7 +325,7 @@ void main() {
     }
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  longer * body.medium.collision.rgb);
-    reflections(body, i, cluster, entry.start.xyz, direction, hit);
+    reflections(body, i, cluster, entry.start.xyz, direction, hit, body.medium.collision.rgb);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);
       atomicMax(peaks[firstLight], floatBitsToUint(largestOf(goesOn.power.rgb)));

@@ -19,10 +19,12 @@ layout(std430, set = 0, binding = BINDING_OPAQUE_SHARES) readonly buffer OpaqueS
 
 ClusterRange rangeOf(uint cluster);
 
-// At a lining A' is (1 + ρ) / (1 - ρ) of the share ρ of light that it gives back, evenly.
+// At a lining A' is (1 + ρ) / (1 - ρ) of the share ρ of light that it gives back, evenly, and what diffusion
+// lacks on a plane: Milne's extrapolation is 0.7104 mean free paths, not 2/3.
 vec3 layerOfLining(uint cluster, uint object) {
+  const float ofMilne = 0.0656;
   vec3 share = min(opaqueShares[cluster].share.rgb, vec3(1.0));
-  return insideOf(objects[object]).diffusion.w * (1.0 - share) / (1.0 + share);
+  return insideOf(objects[object]).diffusion.w * (1.0 - share) / (1.0 + share + ofMilne * (1.0 - share));
 }
 
 // A/A', by which its fluence is a stronger single layer.

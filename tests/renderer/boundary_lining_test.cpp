@@ -1,0 +1,220 @@
+// Opaque things in a body, against closed forms of diffusion in a ball with a concentric core: of
+// light that comes evenly and of light whose radiance goes with a cosine, the first two terms of
+// the expansion in Legendre polynomials.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bssrdf/fresnel.h"
+#include "environment/lat_long.h"
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+using std::numbers::pi;
+
+using BoundaryLiningTest = RendererTest;
+
+constexpr float ballMm = 10;
+constexpr float coreMm = 5;
+
+/// A mean free path is a twentieth of the shell at most, so that diffuse light enters at the
+/// surface; little is absorbed on the way to the core.
+Medium cream() {
+  return {"cream", {4, 2.5F, 1.5F}, {0.002F, 0.008F, 0.012F}, 1.4};
+}
+
+Mesh turned(Mesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (Vec3& normal : mesh.normals) normal = {-normal[0], -normal[1], -normal[2]};
+  return mesh;
+}
+
+OpaqueMaterial matt(const Rgb& color) {
+  OpaqueMaterial material;
+  material.baseColor = color;
+  material.metallic = 0;
+  return material;
+}
+
+Object coreOf(const Mesh& mesh, const Rgb& color) {
+  Object core;
+  core.name = "core";
+  core.mesh = mesh;
+  core.opaque = matt(color);
+  return core;
+}
+
+Scene ballAround(const Object& core) {
+  Scene scene = ballOf(ballMm, cream());
+  scene.objects.push_back(core);
+  return scene;
+}
+
+constexpr double slope = 0.8;  // of the sky's radiance, 1 + slope cos θ to +x
+
+std::shared_ptr<const Image> slopingSky() {
+  constexpr int height = 64;
+  Image image(2 * height, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 2 * height; ++x) {
+      const Vec3 direction = latLongDirection((x + 0.5) / (2 * height), (y + 0.5) / height);
+      for (int c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = static_cast<float>(1 + slope * double{direction[0]});
+    }
+  return std::make_shared<const Image>(std::move(image));
+}
+
+/// Diffusion in a shell: coefficients in one channel (Grosjean 1956; d'Eon and Irving 2011).
+struct Diffusion {
+  double d;
+  double sigma;
+  double a;
+  double kappa;
+
+  Diffusion(const Medium& medium, std::size_t c) {
+    const double scattering{medium.sigmaSPrimePerMm[c]};
+    const double absorption{medium.sigmaAPerMm[c]};
+    const double extinction = scattering + absorption;
+    d = (2 * absorption + scattering) / (3 * extinction * extinction);
+    sigma = std::sqrt(absorption / d);
+    a = (1 + bssrdf::threeC2(medium.eta)) / (1 - bssrdf::twoC1(medium.eta));
+    kappa = 2 / (1 + bssrdf::threeC2(medium.eta));
+  }
+};
+
+/// Modified spherical Bessel functions of order 0 and 1, and their derivatives.
+struct Radial {
+  double value;
+  double slope;
+};
+Radial growing(int order, double x) {
+  const double s = std::sinh(x);
+  const double c = std::cosh(x);
+  if (order == 0) return {s / x, c / x - s / (x * x)};
+  return {c / x - s / (x * x), s / x - 2 * c / (x * x) + 2 * s / (x * x * x)};
+}
+Radial falling(int order, double x) {
+  const double e = std::exp(-x);
+  if (order == 0) return {e / x, -e / x - e / (x * x)};
+  return {e / x + e / (x * x), -e / x - 2 * e / (x * x) - 2 * e / (x * x * x)};
+}
+
+/// What leaves the ball over what has entered of that order: -D φ' = φ/2A - κE outside and
+/// D φ' = φ/2A' at the core, M = φ/2A - (κ - 1) E. `overA`: 1/A'.
+double leaves(const Diffusion& of, int order, double overA) {
+  const auto at = [&](double mm, Radial (*function)(int, double)) {
+    const Radial found = function(order, of.sigma * mm);
+    return Radial{found.value, of.sigma * found.slope};
+  };
+  const Radial outerGrowing = at(ballMm, growing);
+  const Radial outerFalling = at(ballMm, falling);
+  const Radial innerGrowing = at(coreMm, growing);
+  const Radial innerFalling = at(coreMm, falling);
+  const auto inner = [&](const Radial& f) { return of.d * f.slope - overA / 2 * f.value; };
+  const auto outer = [&](const Radial& f) { return of.d * f.slope + f.value / (2 * of.a); };
+  const double part = -inner(innerGrowing) / inner(innerFalling);  // falling per growing
+  const double weight = of.kappa / (outer(outerGrowing) + part * outer(outerFalling));
+  const double fluence = weight * (outerGrowing.value + part * outerFalling.value);
+  return fluence / (2 * of.a) - (of.kappa - 1);
+}
+
+/// ∫ F_t μ (1 + slope cos θ) dω over the hemisphere about a normal of cos θ = `cosine`.
+double entering(double eta, double cosine) {
+  constexpr int steps = 2000;
+  double first = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double mu = (i + 0.5) / steps;
+    first += 2 * pi * (1 - bssrdf::fresnelReflectance(eta, mu)) * mu * mu / steps;
+  }
+  return pi * bssrdf::meanTransmittance(eta) + slope * cosine * first;
+}
+
+constexpr std::size_t bands = 10;
+
+struct Pictures {
+  Image exitance;
+  Image position;
+  Vec3 cameraMm;
+
+  auto inBands(const Image& image) const {
+    return exitanceOfBands<bands>(image, position, cameraMm);
+  }
+};
+
+Pictures underSky(Scene scene) {
+  scene.lighting = {};
+  scene.lighting.environment = slopingSky();
+  RenderOptions options = boundaryOptions(48);
+  options.maxClusters = 2048;
+  std::vector<Image> images = renderBoundary(scene, options, {Aov::Exitance, Aov::Position}).images;
+  return {std::move(images[0]), std::move(images[1]), scene.camera.positionMm};
+}
+
+/// `overA` of each channel: 1/A' at the core.
+Image exactOn(const Pictures& seen, const std::array<double, 3>& overA) {
+  Image exact = seen.exitance;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Diffusion diffusion(cream(), c);
+    const double even = entering(cream().eta, 0);
+    const double sloping = entering(cream().eta, 1) - even;
+    const double first = even * leaves(diffusion, 0, overA[c]);
+    const double second = sloping * leaves(diffusion, 1, overA[c]);
+    forEachCovered(exact, [&](std::size_t i) {
+      const Vector outward = unit(toVector(&seen.position.rgba[i]));
+      exact.rgba[i + c] = static_cast<float>(first + second * outward[0]);
+    });
+  }
+  return exact;
+}
+
+void expectExact(const Pictures& seen, const std::array<double, 3>& overA) {
+  const auto found = seen.inBands(seen.exitance);
+  const auto exact = seen.inBands(exactOn(seen, overA));
+  for (std::size_t band = 0; band < bands; ++band)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[band][c] / exact[band][c], 1, 0.02) << c << " band " << band;
+}
+
+/// Of evenly given back light, by the exact extrapolation from a plane: of Milne's problem 0.7104
+/// mean free paths where all is absorbed, and 4/3 share/(1 - share) more else. Diffusion has 2/3
+/// A'.
+double overAOf(double share) {
+  return (1 - share) / (1.5 * 0.7104 * (1 - share) + 2 * share);
+}
+
+// A black, a grey and a white core, each in every channel.
+TEST_F(BoundaryLiningTest, ABallWithACoreIsAsTheSeriesSays) {
+  const Mesh core = sphere({0, 0, 0}, coreMm, 4);
+  for (const Rgb& share : {Rgb{0, 0.5F, 1}, Rgb{0.5F, 1, 0}, Rgb{1, 0, 0.5F}}) {
+    std::array<double, 3> overA{};
+    for (std::size_t c = 0; c < 3; ++c) overA[c] = overAOf(double{share[c]});
+    expectExact(underSky(ballAround(coreOf(core, share))), overA);
+  }
+}
+
+// Where A' is A it is as if there were air within, from which nothing comes back.
+TEST_F(BoundaryLiningTest, AShareCanBeThatOfAFreeBoundary) {
+  const double a = Diffusion(cream(), 0).a;
+  const double more = a - 1.5 * 0.7104;  // 2 share / (1 - share)
+  const auto share = static_cast<float>(more / (2 + more));
+  const Mesh core = sphere({0, 0, 0}, coreMm, 4);
+  const Pictures lined = underSky(ballAround(coreOf(core, {share, share, share})));
+  Scene hollow = ballOf(ballMm, cream());
+  hollow.objects[0].mesh = together(hollow.objects[0].mesh, turned(core));
+  const Pictures free = underSky(hollow);
+  EXPECT_LT(errorsOf(lined.exitance, free.exitance).rms, 0.005);
+  expectExact(lined, {1 / a, 1 / a, 1 / a});
+}
+
+}  // namespace
+}  // namespace opaline
