@@ -20,6 +20,8 @@ scene::MergedMesh ball() {
   return merged;
 }
 
+const surfels::Linings noLinings;
+
 DivisionOrder orderOf(int number) {
   return {.spacingOfObjectMm = {1 + 0.2 * number},
           .clustersOfObject = {{4.0}},
@@ -37,7 +39,7 @@ TEST(BackgroundDivider, GivesThePatientWhatWasWantedLast) {
   const scene::MergedMesh merged = ball();
   BackgroundDivider divider;
   for (int i = 0; i < 20; ++i) {
-    divider.want(orderOf(i), merged);
+    divider.want(orderOf(i), merged, noLinings);
     if (const auto early = divider.take(false)) expectSame(*early, divide(merged, early->order));
   }
   const std::optional<Division> last = divider.take(true);
@@ -50,8 +52,8 @@ TEST(BackgroundDivider, ForgetsASurfaceBeforeItGoes) {
   BackgroundDivider divider;
   for (int i = 0; i < 10; ++i) {
     const scene::MergedMesh merged = ball();
-    divider.want(orderOf(i), merged);
-    divider.want(orderOf(i + 1), merged);
+    divider.want(orderOf(i), merged, noLinings);
+    divider.want(orderOf(i + 1), merged, noLinings);
     divider.forget();
     EXPECT_FALSE(divider.take(true));
   }
