@@ -70,7 +70,7 @@ def main():
             sys.exit(f"no command makes {picture}; there are {' '.join(sorted(known))}")
     binaries = arguments.build.resolve() / "bin"
     programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
-    for script in ("tools/accuracy.py", "tools/figures/hero_scene.py", "tools/figures/lampshade_scene.py",
+    for script in ("tools/accuracy.py", "tools/figures/hero_scene.py", "tools/figures/lampshade_scene.py", "tools/figures/stones_scene.py",
                    "tools/figures/window_pictures.py", "tools/figures/blender_pictures.py",
                    "tools/figures/growth_figure.py"):
         programs[script] = ROOT / script

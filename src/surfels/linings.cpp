@@ -23,8 +23,8 @@ constexpr double reachesIn = 1e-4;
 // smallest.
 constexpr double pieceOverCluster = 0.25;
 
-// There are no more pieces than that, but larger ones.
-constexpr std::size_t mostPieces = 100'000;
+// Beyond one for each triangle there are no more pieces than that, but larger ones.
+constexpr std::size_t mostMorePieces = 100'000;
 constexpr double coarserLinings = 1.5;
 
 Vector vectorOf(const Vec3& v) {
@@ -80,16 +80,17 @@ class Linings::Finder {
     std::map<std::uint32_t, Box> boxes;
     for (const auto& [substance, objects] : of_)
       for (const auto& [object, triangles] : objects)
-        if (substance != Substance::Medium) boxes[object] = boxOf(surface, triangles);
+        if (substance != Substance::Medium) boxes[object].include(boxOf(surface, triangles));
     for (const auto& [body, triangles] : of_[Substance::Medium]) {
       const Box box = boxOf(surface, triangles);
       bool any = false;
       for (const auto& [object, other] : boxes) {
         if (!box.meets(other)) continue;
         any = true;
-        const auto& solids = of_[Substance::Solid];
-        if (const auto solid = solids.find(object);
-            solid != solids.end() && !found_->solids.contains(object))
+        const auto solid = of_[Substance::Solid].find(object);
+        if (solid == of_[Substance::Solid].end()) continue;
+        mostPieces_ += solid->second.size();
+        if (!found_->solids.contains(object))
           found_->solids.emplace(object, WindingNumber(surface, solid->second));
       }
       if (any) found_->bodies.emplace(body, WindingNumber(surface, triangles));
@@ -152,7 +153,7 @@ class Linings::Finder {
       return inside.box().meets(box);
     };
     const std::optional<std::vector<Piece>> pieces =
-        subdivideWhere(surface_, triangle, spacingMm, mostPieces - made.pieces_.size(), nearBody);
+        subdivideWhere(surface_, triangle, spacingMm, mostPieces_ - made.pieces_.size(), nearBody);
     if (!pieces) return false;
     const auto its = static_cast<std::uint32_t>(made.firstTriangle_ + made.triangleOfSolid_.size());
     bool any = false;
@@ -198,6 +199,7 @@ class Linings::Finder {
   const core::RestSurface& surface_;
   std::map<Substance, std::map<std::uint32_t, std::vector<std::uint32_t>>> of_;  // triangles
   std::shared_ptr<Solids> found_;
+  std::size_t mostPieces_ = mostMorePieces;
 };
 
 Linings::Linings(const core::RestSurface& surface, std::span<const Substance> substanceOfTriangle) {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t trianglesOfLeaf = 8;
 
 // A node is taken as one from further than so many of its radii.
-constexpr double farInRadii = 3;
+constexpr double farInRadii = 4;
 
 double lengthOf(const Vector& v) {
   return std::sqrt(dot(v, v));

@@ -171,6 +171,37 @@ TEST(Linings, AreNotWhereOneSolidLiesInAnother) {
   EXPECT_NEAR(sumsOf(lined, linings.pieces()).areaMm2, 6 * 16, 1e-3);
 }
 
+// Whatever the surfaces are like, surfels and clusters are made of them, and hold no more than
+// wanted.
+TEST(Linings, OfAwkwardBodiesAreSound) {
+  for (const Body& awkward : allBodies())
+    for (const bool within : {false, true}) {
+      SCOPED_TRACE(awkward.name);
+      const Body body = together(boxBetween({-1.5F, -1.5F, -1.5F}, {0.3F, 1.5F, 1.5F}, 6), awkward);
+      std::vector<Substance> substances(body.objects,
+                                        within ? Substance::Solid : Substance::Medium);
+      substances[0] = within ? Substance::Medium : Substance::Solid;
+      const Linings linings = liningsOf(body, substances);
+      const core::RestSurface lined = linings.lined(body.surface());
+      const SurfelDivision surfels = makeSurfels(lined, body.spacing(0.3), 2000, linings);
+      EXPECT_LE(surfels.count(), 2000U);
+      const std::vector<ClusterOrder> orders(body.objects, {100});
+      const ClusterDivision clusters = makeClusters(lined, surfels, orders, 400 + body.objects);
+      std::size_t held = 0;
+      for (const ClusterDivision::Cluster& cluster : clusters.clusters)
+        held += cluster.endSurfel - cluster.firstSurfel;
+      EXPECT_EQ(held, surfels.count());
+    }
+}
+
+// More triangles than there may be pieces besides are all kept.
+TEST(Linings, OfDenseSolidsHaveAPieceForEachTriangle) {
+  const Body body =
+      together(boxBetween({-5, -5, -5}, {5, 5, 5}, 4), boxBetween({-1, -1, -1}, {1, 1, 1}, 110));
+  const Linings linings = liningsOf(body, bodyAndSolid);
+  EXPECT_EQ(linings.pieces().size(), body.triangles.size() - 12 * 16);
+}
+
 // Clusters are of one or the other, whatever their number, and follow what lies between.
 TEST(Linings, HaveClustersOfTheirOwn) {
   const Body body = together(boxBetween({-5, -5, -5}, {5, 5, 5}, 8),
