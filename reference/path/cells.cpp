@@ -17,13 +17,13 @@ constexpr std::size_t mostParts = 64'000'000;
 
 /// Row and column in the triangle's grid and whether it stands on its tip. Weights 1 and 2 are the
 /// coordinates.
-struct Part {
+struct PlaceOfPart {
   std::uint32_t row = 0;
   std::uint32_t column = 0;
   bool flipped = false;
 };
 
-std::uint32_t indexOf(const Part& part, std::uint32_t n) {
+std::uint32_t indexOf(const PlaceOfPart& part, std::uint32_t n) {
   // Row r has 2(n − r) − 1 parts.
   const std::uint32_t before = part.row * (2 * n - part.row);
   return before + 2 * part.column + (part.flipped ? 1U : 0U);
@@ -46,6 +46,12 @@ struct CubeHash {
   }
 };
 
+// Row after row; weights 1 and 2 of its middle, by its index in the row.
+std::array<double, 2> middleOfPart(std::uint32_t row, std::uint32_t k, double parts) {
+  const double third = k % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
+  return {(k / 2 + third) / parts, (row + third) / parts};
+}
+
 std::uint32_t sideOf(const Vector& normal) {
   std::uint32_t axis = 0;
   for (std::uint32_t i = 1; i < 3; ++i)
@@ -61,7 +67,7 @@ std::uint32_t Cells::partOf(std::uint32_t edgeParts, const std::array<double, 3>
   const auto whole = [&](double weight) {
     return std::min(static_cast<std::uint32_t>(std::max(weight * n, 0.0)), edgeParts - 1);
   };
-  Part part{whole(weights[2]), whole(weights[1]), false};
+  PlaceOfPart part{whole(weights[2]), whole(weights[1]), false};
   part.column = std::min(part.column, edgeParts - 1 - part.row);
   const double along = weights[1] * n - part.column;
   const double up = weights[2] * n - part.row;
@@ -91,9 +97,8 @@ Cells::Cells(const Scene& scene, double edgeMm) {
       const double area = 0.5 * length(areaVector) / (parts * parts);
       for (std::uint32_t row = 0; row < n; ++row) {
         for (std::uint32_t k = 0; k < 2 * (n - row) - 1; ++k) {
-          const double third = k % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-          const std::uint32_t column = k / 2;
-          const Vector middle = a + ((column + third) / parts) * ab + ((row + third) / parts) * ac;
+          const auto [along, up] = middleOfPart(row, k, parts);
+          const Vector middle = a + along * ab + up * ac;
           CubeKey key{{}, sideOf(areaVector), number};
           for (std::size_t axis = 0; axis < 3; ++axis)
             key.cube[axis] =
@@ -113,6 +118,32 @@ Cells::Cells(const Scene& scene, double edgeMm) {
 std::size_t Cells::at(const SurfacePoint& point) const {
   const Division& division = divisions_[point.body][point.triangle];
   return cellOfPart_[division.firstPart + partOf(division.edgeParts, point.weights)];
+}
+
+void Cells::forEachPart(const Scene& scene, const std::function<void(const Part&)>& visit) const {
+  for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+    const Body& body = scene.bodies[number];
+    for (std::size_t t = 0; t < divisions_[number].size(); ++t) {
+      const Triangle& corners = body.triangles[t];
+      const Division& division = divisions_[number][t];
+      const Vector& a = body.positionsMm[corners[0]];
+      const Vector ab = body.positionsMm[corners[1]] - a;
+      const Vector ac = body.positionsMm[corners[2]] - a;
+      const Vector areaVector = cross(ab, ac);
+      const double parts = division.edgeParts;
+      Part part{
+          0, number, 0.5 * length(areaVector) / (parts * parts), {}, unitOr(areaVector, {0, 0, 1})};
+      std::uint32_t next = division.firstPart;
+      for (std::uint32_t row = 0; row < division.edgeParts; ++row) {
+        for (std::uint32_t k = 0; k < 2 * (division.edgeParts - row) - 1; ++k) {
+          const auto [along, up] = middleOfPart(row, k, parts);
+          part.middleMm = a + along * ab + up * ac;
+          part.cell = cellOfPart_[next++];
+          visit(part);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace opaline::reference

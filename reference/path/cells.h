@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "reference/geometry.h"
@@ -18,6 +19,17 @@ class Cells {
   double areaMm2(std::size_t cell) const { return areasMm2_[cell]; }
   /// The cell of a point of the surface.
   std::size_t at(const SurfacePoint& point) const;
+
+  /// A piece of a triangle, all in one cell.
+  struct Part {
+    std::size_t cell = 0;
+    std::size_t body = 0;
+    double areaMm2 = 0;
+    Vector middleMm{};
+    Vector normal{};  ///< unit, of the triangle
+  };
+  /// `scene` is that of the cells.
+  void forEachPart(const Scene& scene, const std::function<void(const Part&)>& visit) const;
 
  private:
   /// How a triangle is divided: into n² equal triangles.

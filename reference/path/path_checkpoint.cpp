@@ -86,6 +86,8 @@ std::uint64_t PathTracer::fingerprint() const {
   }
   print.add(options_.bounces);
   print.add(options_.seed);
+  print.add(options_.coneDegrees);
+  if (options_.coneDegrees > 0) print.add(geometry_.scene().camera.positionMm);
   print.add(cells_.count());
   return print.value();
 }

@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 #include "opaline/error.h"
 
 namespace opaline::reference {
 
 namespace {
+
+using std::numbers::pi;
 
 std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
   const auto c = static_cast<std::size_t>(channel);
@@ -27,6 +31,36 @@ std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
                          body.paint ? std::make_shared<const Layer>(body, channel) : nullptr});
   }
   return interiors;
+}
+
+// Of light that leaves evenly behind a smooth boundary, how much leaves within a cone about `axis`,
+// unit. By rings of equal solid angle.
+double evenShareOf(const Vector& axis, double degrees, const Vector& normal, double eta) {
+  constexpr int rings = 8;
+  constexpr int places = 16;
+  const double cap = 1 - std::cos(degrees * pi / 180);
+  double sum = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double along = 1 - cap * (ring + 0.5) / rings;
+    for (int i = 0; i < places; ++i) {
+      const double cosine = dot(normal, around(axis, along, 2 * pi * (i + 0.5) / places));
+      if (cosine > 0) sum += cosine * (1 - bssrdf::fresnelReflectance(eta, std::min(cosine, 1.0)));
+    }
+  }
+  return 2 * cap * sum / (rings * places) / bssrdf::meanTransmittance(eta);
+}
+
+std::vector<double> seenAreas(const Cells& cells, const Scene& scene, double coneDegrees) {
+  std::vector<double> areas(cells.count());
+  cells.forEachPart(scene, [&](const Cells::Part& part) {
+    const double share =
+        coneDegrees > 0
+            ? evenShareOf(unitOr(toVector(scene.camera.positionMm) - part.middleMm, part.normal),
+                          coneDegrees, part.normal, scene.bodies[part.body].medium.eta)
+            : 1;
+    areas[part.cell] += share * part.areaMm2;
+  });
+  return areas;
 }
 
 }  // namespace
@@ -49,6 +83,7 @@ PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
       bound_(geometry.scene()),
       cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene())),
       emitters_{Emitter(geometry, 0), Emitter(geometry, 1), Emitter(geometry, 2)},
+      seenMm2_(seenAreas(cells_, geometry.scene(), options.coneDegrees)),
       interiors_{interiorsOf(geometry.scene(), 0), interiorsOf(geometry.scene(), 1),
                  interiorsOf(geometry.scene(), 2)},
       counts_(3 * orders * cells_.count()) {
@@ -59,10 +94,19 @@ void PathTracer::follow(std::size_t channel, std::uint64_t particle) {
   Random random(options_.seed * 3 + channel, particle);
   const Walk walk(geometry_, bound_, interiors_[channel], options_.bounces, channel);
   const Flight flight = emitters_[channel].emit(random);
-  const End end = walk.follow(flight, random, [&](const SurfacePoint& point, Order order) {
-    counts_[slot(channel, order, cells_.at(point))].fetch_add(1, std::memory_order_relaxed);
+  const End end = walk.follow(flight, random, [&](const Leaving& leaving) {
+    if (!isCounted(leaving)) return;
+    counts_[slot(channel, leaving.order, cells_.at(leaving.point))].fetch_add(
+        1, std::memory_order_relaxed);
   });
   if (end == End::Lost) lost_[channel].fetch_add(1, std::memory_order_relaxed);
+}
+
+bool PathTracer::isCounted(const Leaving& leaving) const {
+  if (options_.coneDegrees <= 0) return true;
+  const Vector toCamera = unitOr(
+      toVector(geometry_.scene().camera.positionMm) - leaving.point.position, leaving.direction);
+  return dot(toCamera, leaving.direction) > std::cos(options_.coneDegrees * pi / 180);
 }
 
 void PathTracer::run(std::uint64_t particles) {
@@ -85,7 +129,7 @@ double PathTracer::fluxOfParticle(std::size_t channel) const {
 // Particles are independent, so counts are all but Poisson's.
 Exitance PathTracer::exitanceOfCell(std::size_t cell) const {
   Exitance exitance;
-  const double area = std::max(cells_.areaMm2(cell), 1e-300);
+  const double area = std::max(seenMm2_[cell], 1e-300);
   for (std::size_t c = 0; c < 3; ++c) {
     double count = 0;
     if (options_.shown != Scattered::Multiple) count += counts_[slot(c, Order::Single, cell)];

@@ -25,6 +25,9 @@ struct PathOptions {
   std::uint64_t seed = 1;
   double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()
   Scattered shown = Scattered::Both;  ///< of what is counted, what the exitance is of
+  double coneDegrees =
+      0;  ///< counts only what leaves so near to the direction of the camera, and takes the
+          ///< exitance for that of a surface where as much does evenly; 0: counts all
 };
 
 /// A quarter of the shortest diffusion length of the scene's media, but between 1/400 and 1/60 of
@@ -82,12 +85,15 @@ class PathTracer {
   }
   double fluxOfParticle(std::size_t channel) const;
   void follow(std::size_t channel, std::uint64_t particle);
+  bool isCounted(const Leaving& leaving) const;
 
   const Geometry& geometry_;
   PathOptions options_;
   DistanceBound bound_;
   Cells cells_;
   std::array<Emitter, 3> emitters_;
+  std::vector<double>
+      seenMm2_;  ///< of a cell: its area times the share of even light that is counted
   std::array<std::vector<Interior>, 3> interiors_;
   std::uint64_t particles_ = 0;
   std::vector<std::atomic<std::uint32_t>> counts_;

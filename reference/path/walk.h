@@ -38,6 +38,13 @@ struct Flight {
   double reachMm = std::numeric_limits<double>::infinity();
 };
 
+/// A particle that leaves a body.
+struct Leaving {
+  const SurfacePoint& point;
+  Order order;
+  Vector direction;  ///< unit, outside
+};
+
 /// How the way of a particle ended.
 enum class End {
   Away,      ///< left the scene
@@ -62,7 +69,7 @@ class Walk {
         bounces_(bounces),
         channel_(channel) {}
 
-  /// Calls `leave(point, order)` for every time the particle leaves a body.
+  /// Calls `leave(Leaving)` for every time the particle leaves a body.
   template <typename Leave>
   End follow(const Flight& flight, Random& random, const Leave& leave) const;
 
@@ -159,11 +166,13 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
           if (!passes(interior, hit->point, cosine, random)) return Inside::Absorbed;
           continue;
         }
-        leave(hit->point, scatterings == 0   ? Order::Unscattered
-                          : scatterings == 1 ? Order::Single
-                                             : Order::Multiple);
         particle.direction =
             refracted(particle.direction, -hit->point.facetNormal, 1 / interior.eta);
+        leave(Leaving{hit->point,
+                      scatterings == 0   ? Order::Unscattered
+                      : scatterings == 1 ? Order::Single
+                                         : Order::Multiple,
+                      particle.direction});
         return Inside::Left;
       }
       particle.position = particle.fromSurface

@@ -258,8 +258,10 @@ struct Clusters {
   gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;      ///< vec4 a cluster: of all light; of an opaque body the irradiance
                               ///< that surfaces do not find for themselves
-  gpu::Buffer bareLights;     ///< shared::BareLight, of painted bodies
-  gpu::Buffer means;          ///< vec4 a cluster: exitance of a half-space
+  gpu::Buffer nearby;  ///< vec4 a cluster: exitance that a half-space would have of the light that
+                       ///< entered here, of all but further bounces; w: 1 over the thickness, 1/mm
+  gpu::Buffer bareLights;       ///< shared::BareLight, of painted bodies
+  gpu::Buffer means;            ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesWithin;  ///< vec4 a patch or surfel: of a half-space
 };
 
@@ -277,6 +279,7 @@ struct KeptOfSeen {
   bool materials = false;  ///< of opaque ones, of translucent surfaces of their own, or what
                            ///< translucent ones mirror of bodies
   bool paint = false;      ///< of painted ones
+  bool origins = false;    ///< of those with an inside
   bool ofPixels = false;   ///< for passes that look at neighbours
   bool drawn = false;      ///< triangles of all samples, if the device draws these at once
 
@@ -305,6 +308,7 @@ struct VisibleSurfaces {
                              ///< their own
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
+  gpu::Buffer origins;  ///< vec4 for each: where the light that leaves comes from (lib/origin.glsl)
   std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find
                                         ///< that look at neighbours
   KeptOfSeen kept;                      ///< there is room for these
@@ -358,6 +362,8 @@ struct SeenCentres {
 /// follows. What is summed at fragments is VisibleSurfaces::light.
 struct Exitance {
   gpu::Buffer vertices;
+  gpu::Buffer origins;  ///< vec4 a vertex of bodies with an inside: where that light comes from
+                        ///< (lib/origin.glsl)
 };
 
 /// Which surfels the camera sees.

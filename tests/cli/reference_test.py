@@ -203,6 +203,8 @@ class Refusals(Reference):
             (("--integral", "--samples", "9"), "belong to --path"),
             (("--integral", "--scattered", "once"), "belong to --path"),
             (("--path", "--scattered", "twice"), "once"),
+            (("--integral", "--cone", "20"), "belong to --path"),
+            (("--path", "--cone", "90"), "from 0.5 to 60 degrees"),
             (("--path", "--tolerance", ".1"), "belong to --integral"),
             (("--path", "--g", "1"), "from -0.99 to 0.99"),
             (("--integral", "--frames", "0:3"), ("--frames",)),

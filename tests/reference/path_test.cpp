@@ -111,11 +111,10 @@ SlabShares traceSlab(double thickness, double reach, const Interior& interior, b
     const Vector direction{sine * std::cos(angle), sine * std::sin(angle), -cosine};
     // Towards a place off the diagonal along which the side is cut in two triangles.
     const Vector target{0.31 * interior.eta, 0.17, thickness / 2};
-    walk.follow({target - 1.0 * direction, direction}, random,
-                [&](const SurfacePoint& point, Order order) {
-                  double* side = point.position[2] > 0 ? shares.reflected : shares.transmitted;
-                  side[static_cast<int>(order)] += 1.0 / particles;
-                });
+    walk.follow({target - 1.0 * direction, direction}, random, [&](const Leaving& leaving) {
+      double* side = leaving.point.position[2] > 0 ? shares.reflected : shares.transmitted;
+      side[static_cast<int>(leaving.order)] += 1.0 / particles;
+    });
   }
   return shares;
 }
@@ -197,12 +196,13 @@ TEST(PathTest, SpheresAreThoseOfTheTable) {
     const double perCount = emitter.flux() / particles / (4 * pi * radius * radius / bands);
     for (int i = 0; i < particles; ++i) {
       Random random(11, static_cast<std::uint64_t>(i));
-      walk.follow(emitter.emit(random), random, [&](const SurfacePoint& point, Order order) {
-        const double cosine = point.position[2] / length(point.position);
+      walk.follow(emitter.emit(random), random, [&](const Leaving& leaving) {
+        const Vector& position = leaving.point.position;
+        const double cosine = position[2] / length(position);
         const auto band =
             static_cast<std::size_t>(std::clamp((cosine + 1) / 2 * bands, 0.0, bands - 1.0));
-        if (order == Order::Single) single[band] += 1;
-        if (order == Order::Multiple) multiple[band] += 1;
+        if (leaving.order == Order::Single) single[band] += 1;
+        if (leaving.order == Order::Multiple) multiple[band] += 1;
       });
     }
     for (std::size_t band = 0; band < bands; ++band) {
@@ -359,9 +359,8 @@ double shareThrough(const Walk& walk, const Window& in, const Window& out, int p
     direction[in.axis] = -cosine;
     direction[in.u()] = sine * std::cos(angle);
     direction[in.v()] = sine * std::sin(angle);
-    walk.follow(
-        {place - 0.01 * direction, direction}, random,
-        [&](const SurfacePoint& point, Order) { left += out.holds(point.position) ? 1 : 0; });
+    walk.follow({place - 0.01 * direction, direction}, random,
+                [&](const Leaving& leaving) { left += out.holds(leaving.point.position) ? 1 : 0; });
   }
   return static_cast<double>(left) / particles;
 }
@@ -425,6 +424,38 @@ TEST(PathTest, ExitanceOfLightThatScatteredOnceOrMoreIsItsFlux) {
   EXPECT_NEAR(fluxShown(Scattered::Both), once + more, 1e-9 * more);
   EXPECT_NEAR(fluxShown(Scattered::Single), once, 1e-9 * more);
   EXPECT_NEAR(fluxShown(Scattered::Multiple), more, 1e-9 * more);
+}
+
+// In even light what leaves a white body is as bright in all directions, towards the camera as
+// well.
+TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
+  constexpr float radiusMm = 8;
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, radiusMm, 3), 1.5, 0, 1.3));
+  scene.lighting.ambient = {1, 1, 1};
+  scene.camera.positionMm = {0, 0, 400};
+  const Geometry geometry(scene);
+  PathTracer tracer(geometry, {.seed = 3, .cellMm = 2, .coneDegrees = 25});
+  tracer.run(60000);
+  // Of what is seen straight on and at a slant, by area.
+  std::array<double, 2> sums{};
+  std::array<double, 2> squares{};
+  std::array<double, 2> areas{};
+  tracer.cells().forEachPart(scene, [&](const Cells::Part& part) {
+    const double cosine = part.normal[2];
+    if (cosine < 0.15) return;
+    const std::size_t which = cosine > 0.75 ? 0 : 1;
+    const Exitance exitance = tracer.exitanceOfCell(part.cell);
+    areas[which] += part.areaMm2;
+    sums[which] += part.areaMm2 * exitance.value[0];
+    squares[which] +=
+        part.areaMm2 * std::pow(exitance.error[0], 2) * tracer.cells().areaMm2(part.cell);
+  });
+  const double entered = pi * bssrdf::meanTransmittance(1.3);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double error = std::sqrt(squares[i]) / areas[i];
+    EXPECT_LT(error, 0.05 * entered);
+    EXPECT_NEAR(sums[i] / areas[i], entered, 3 * error) << i;
+  }
 }
 
 // There is nothing that more particles could make more exact.

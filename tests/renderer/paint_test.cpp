@@ -125,12 +125,11 @@ Bands tracedBands(const Scene& scene, int particles) {
   const double area = 2 * std::numbers::pi * double{ballRadiusMm} * double{ballRadiusMm} / 8;
   for (int i = 0; i < particles; ++i) {
     reference::Random random(3, static_cast<std::uint64_t>(i));
-    walk.follow(emitter.emit(random), random,
-                [&](const reference::SurfacePoint& point, reference::Order) {
-                  if (point.position[2] <= 0) return;
-                  bands[bandOf(point.position)][isDark(point.position) ? 1 : 0] +=
-                      emitter.flux() / particles / area;
-                });
+    walk.follow(emitter.emit(random), random, [&](const reference::Leaving& leaving) {
+      const reference::Vector& position = leaving.point.position;
+      if (position[2] <= 0) return;
+      bands[bandOf(position)][isDark(position) ? 1 : 0] += emitter.flux() / particles / area;
+    });
   }
   return bands;
 }

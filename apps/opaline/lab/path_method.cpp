@@ -69,6 +69,10 @@ void PathMethod::addTo(CommandLine& line) {
     options_.shown = readChoice<rf::Scattered>(
         given, {{"once", rf::Scattered::Single}, {"more", rf::Scattered::Multiple}});
   });
+  value("--cone", "DEGREES", "only what leaves so near to the camera's direction",
+        [this](const Given& given) {
+          options_.coneDegrees = readNumber(given, {0.5, 60, "degrees"});
+        });
   value("--cell-mm", "X", "edge of the cells that count light [by medium]",
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
@@ -86,7 +90,8 @@ void PathMethod::check(const std::filesystem::path& output,
                        const std::optional<std::filesystem::path>& report) const {
   if (any_ && !wanted_) {
     throw UsageError(
-        "--samples, --seconds, --error, --bounces, --scattered, --cell-mm, --paths, --seed and "
+        "--samples, --seconds, --error, --bounces, --scattered, --cone, --cell-mm, --paths, --seed "
+        "and "
         "--checkpoint belong to --path");
   }
   const auto isCheckpoint = [&](const std::filesystem::path& file) {

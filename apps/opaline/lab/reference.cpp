@@ -275,9 +275,9 @@ Json reportJson(const ReferenceCommand& command, const ReferenceJob& job, const 
 }  // namespace
 
 void runReference(const Arguments& arguments) {
-  CommandLine line("reference",
-                   "Computes a still on the CPU, exactly. Lengths are mm, light is linear RGB, in "
-                   "[] is the default.");
+  CommandLine line(
+      "reference",
+      "A still on the CPU, exactly. Lengths in mm, light in linear RGB, defaults in [].");
   ReferenceCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;

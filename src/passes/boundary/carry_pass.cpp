@@ -46,7 +46,8 @@ void CarryPass::recordMeans(gpu::CommandList& commands, From from, gpu::Buffer& 
 }
 
 void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                             Clusters& clusters, const Places& vertices) const {
+                             Clusters& clusters, const Places& vertices,
+                             gpu::Buffer& origins) const {
   commands.beginPass("carry");
   commands.bind(vertices_,
                 {.objects = tables.objects,
@@ -59,7 +60,9 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                  .normals = vertices.normals,
                  .objectOf = vertices.objectOf,
                  .order = vertices.order,
-                 .vertexExitances = vertices.exitances},
+                 .vertexExitances = vertices.exitances,
+                 .origins = origins,
+                 .nearby = clusters.nearby},
                 {.vertexCount = vertices.count, .sides = tables.sidesOfVertices(), .site = site});
   commands.dispatchLinear(tables.sidesOfVertices() * vertices.count, roundsOfWalk);
   commands.endPass();
@@ -81,8 +84,10 @@ void CarryPass::overFragments(gpu::CommandList& commands, SceneTables& tables, C
                  .bareLights = clusters.bareLights,
                  .paint = seen.surfaces.paint,
                  .asked = seen.surfaces.asked,
-                 .askedCount = seen.surfaces.countsOf(asked)},
-                {.first = 0});
+                 .askedCount = seen.surfaces.countsOf(asked),
+                 .origins = seen.surfaces.origins,
+                 .nearby = clusters.nearby},
+                {.first = 0, .keepsOrigins = seen.surfaces.kept.origins});
   commands.endPass();
 }
 

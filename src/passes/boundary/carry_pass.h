@@ -33,7 +33,7 @@ class CarryPass {
                    Clusters& clusters) const;
 
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                    Clusters& clusters, const Places& vertices) const;
+                    Clusters& clusters, const Places& vertices, gpu::Buffer& origins) const;
   /// Of painted bodies, what is below the paint.
   void overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                      Asked asked, const SeenSurfaces& seen) const;

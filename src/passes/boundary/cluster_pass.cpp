@@ -250,6 +250,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);
   clusters.enteredBefore = makeRoom<shared::vec4>(device, "diffuse light that entered", count);
   clusters.power = makeRoom<shared::vec4>(device, "power of a bounce", 1);
+  clusters.nearby = makeRoom<shared::vec4>(device, "nearby exitances", count);
   clusters.latest = makeRoom<shared::vec4>(device, "latest exitances", count);
   clusters.exitances = makeRoom<shared::vec4>(device, "exitances of clusters", count);
   clusters.means = makeRoom<shared::vec4>(device, "means over clusters", count);

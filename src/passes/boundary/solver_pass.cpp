@@ -88,13 +88,16 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .entered = clusters.entered,
                  .enteredBefore = clusters.enteredBefore,
                  .clusterPaints = tables.paint.clusters,
-                 .bareLights = clusters.bareLights},
+                 .bareLights = clusters.bareLights,
+                 .entries = clusters.entries,
+                 .nearby = clusters.nearby},
                 {.clusterCount = clusters.count,
                  .solution = order.solution,
                  .adds = order.adds,
                  .isDiffuse = order.isDiffuse,
                  .atSurface = entersAtSurface(order, tables),
-                 .scattersOnce = tables.followsLight});
+                 .scattersOnce = tables.followsLight,
+                 .lights = order.adds ? 0 : clusters.lights});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }

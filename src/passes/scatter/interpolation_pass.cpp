@@ -41,12 +41,15 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
                  .exitances = surfaces.light,
                  .paint = surfaces.paint,
                  .media = inputs.tables.media,
-                 .entryOfPixel = surfaces.entryOfPixel},
+                 .entryOfPixel = surfaces.entryOfPixel,
+                 .meshOrigins = inputs.exitance.origins,
+                 .origins = surfaces.origins},
                 {.firstRow = inputs.firstRow,
                  .rows = rows,
                  .site = inputs.site,
                  .interpolates = interpolates,
-                 .samples = samples});
+                 .samples = samples,
+                 .keepsOrigins = surfaces.kept.origins});
   dispatchBlocks(commands, rows, surfaces);
   commands.endPass();
 }
@@ -68,8 +71,13 @@ void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& in
        .entryOfPixel = surfaces.entryOfPixel,
        .exitances = surfaces.light,
        .paint = surfaces.paint,
-       .blocksAfter = surfaces.blocks[wide ? 1 : 0]},
-      {.firstRow = inputs.firstRow, .rows = rows, .tolerance = inputs.tolerance, .wide = wide});
+       .blocksAfter = surfaces.blocks[wide ? 1 : 0],
+       .origins = surfaces.origins},
+      {.firstRow = inputs.firstRow,
+       .rows = rows,
+       .tolerance = inputs.tolerance,
+       .wide = wide,
+       .keepsOrigins = surfaces.kept.origins});
   dispatchBlocks(commands, rows, surfaces);
   commands.endPass();
 }

@@ -138,6 +138,8 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
                                                   kept.materials ? room : 0);
   made.paint = makeRoom<shared::vec4>(device, "paint of seen surfaces", kept.paint ? room : 0);
+  made.origins =
+      makeRoom<shared::vec4>(device, "origins of light of seen surfaces", kept.origins ? room : 0);
   for (gpu::Buffer& found : made.ofPixels)
     found = makeRoom<shared::vec4>(device, "what pixels have found", kept.ofPixels ? pixels : 0);
   made.kept = kept;

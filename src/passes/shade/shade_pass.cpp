@@ -44,13 +44,16 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
        .specularAlbedo = inputs.tables.specularAlbedo,
        .paint = surfaces.paint,
        .materials = surfaces.materials,
-       .glossySky = {inputs.sky.glossy ? inputs.sky.glossy : inputs.sky.reflected, linear_}},
+       .glossySky = {inputs.sky.glossy ? inputs.sky.glossy : inputs.sky.reflected, linear_},
+       .meshOrigins = inputs.exitance.origins,
+       .origins = surfaces.origins},
       {.atFragments = inputs.atFragments,
        .alpha = inputs.roughness * inputs.roughness,
        .specular = inputs.specular,
        .skyIsMirrored = inputs.mirrorsSky,
        .bodiesAreMirrored = inputs.mirrorsBodies,
-       .leavesSmooth = inputs.leavesSmooth});
+       .leavesSmooth = inputs.leavesSmooth,
+       .byOrigin = inputs.byOrigin});
   commands.endPass();
 }
 

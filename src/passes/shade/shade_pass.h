@@ -36,6 +36,8 @@ class ShadePass {
     bool mirrorsSky;     ///< VisibleSurfaces::light says how much of it
     bool mirrorsBodies;  ///< VisibleSurfaces::materials says what is seen of them
     bool leavesSmooth;   ///< light leaves as through a smooth surface, whatever the roughness
+    bool byOrigin;  ///< of bodies with an inside, as exitLaw() has it; VisibleSurfaces::origins
+                    ///< or those of vertices are known
   };
   /// Leaves the radiance of translucent surfaces, by coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

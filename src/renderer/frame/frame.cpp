@@ -250,7 +250,8 @@ struct FrameContext {
     if (!carries()) return;
     if (boundary()) meansOverClusters(scene);
     if (plan.site != Site::Fragment)
-      passes.carry.overVertices(commands, site(), resources.tables, scene.clusters, vertices);
+      passes.carry.overVertices(commands, site(), resources.tables, scene.clusters, vertices,
+                                resources.exitance.origins);
   }
 
   passes::SeenSurfaces seen() const { return {resources.view, mesh, resources.surfaces}; }
@@ -355,11 +356,11 @@ struct FrameContext {
                                  {resources.tables, scene.surfels, scene.rays,
                                   static_cast<std::uint32_t>(plan.samples), plan.roughness},
                                  firstRow, seen());
-    const passes::ShadePass::Inputs inputs{resources.tables, resources.shadows, resources.exitance,
-                                           resources.sky, plan.roughness, atFragments(),
-                                           plan.specular, plan.mirrorsSky, plan.mirrorsBodies,
-                                           // Jensen et al. 2001, Eq. 5.
-                                           plan.transport == Transport::Dipole};
+    const passes::ShadePass::Inputs inputs{
+        resources.tables, resources.shadows, resources.exitance, resources.sky, plan.roughness,
+        atFragments(), plan.specular, plan.mirrorsSky, plan.mirrorsBodies,
+        // Jensen et al. 2001, Eq. 5.
+        plan.transport == Transport::Dipole, leavesByOrigin(plan)};
     if (plan.specular && (carriesOpaque() || plan.mirrorsBodies))
       passes.mirroredScene.record(commands,
                                   {resources.tables, scene.surfels, scene.rays, scene.clusters,

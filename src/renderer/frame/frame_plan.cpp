@@ -68,6 +68,10 @@ bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
          (plan.mirrorsBodies || !skyIsDark(lighting));
 }
 
+bool leavesByOrigin(const FramePlan& plan) {
+  return plan.transport == Transport::Boundary && plan.samples > 0;
+}
+
 bool mirrorsBodies(const FramePlan& plan, const Scene& scene) {
   return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern &&
          scene.objects.size() > 1 && (plan.opaque || plan.transport == Transport::Boundary);

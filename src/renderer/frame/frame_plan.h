@@ -59,6 +59,9 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting);
 /// knows no surfels that rays could meet, and reflects all of it.
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
 
+/// Whether light leaves bodies in directions that depend on where it comes from.
+bool leavesByOrigin(const FramePlan& plan);
+
 /// Whether translucent surfaces mirror the light of bodies beside them. A body alone mirrors its
 /// own.
 bool mirrorsBodies(const FramePlan& plan, const Scene& scene);

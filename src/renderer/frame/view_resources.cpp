@@ -98,6 +98,8 @@ void ViewResources::makeExitance(const SceneResources& scene) {
                             .bytes = count * sizeof(shared::vec4),
                             .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                             .lent = true});
+  made_.exitance.origins = passes::makeRoom<shared::vec4>(device_, "origins of light of vertices",
+                                                          scene.mesh.vertexCount);
 }
 
 void ViewResources::makeImages(const RenderOptions& options) {
@@ -124,6 +126,7 @@ void ViewResources::makeRoom(const FramePlan& plan, bool areaLights, bool cutOut
   const passes::KeptOfSeen kept{
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
       .paint = surfaces.kept.paint || plan.painted,
+      .origins = surfaces.kept.origins || leavesByOrigin(plan),
       .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights),
       .drawn = surfaces.kept.drawn || (samples > 1 && !plan.visibleLights && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {

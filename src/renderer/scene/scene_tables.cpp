@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "bssrdf/exit_directions.h"
 #include "bssrdf/fresnel.h"
 #include "bssrdf/paint.h"
 #include "bssrdf/profile.h"
@@ -49,7 +50,8 @@ shared::BoundaryMedium insideOfOpaque() {
           .extinction = {1, 1, 1, 1},
           .albedo = {0, 0, 0, 0},
           .collision = {1, 1, 1, 0},
-          .scatters = {0, 0, 0, 0}};
+          .scatters = {0, 0, 0, 0},
+          .reflected = {0, 0, 0, 0}};
 }
 
 shared::MediumData dataOfOpaque() {
@@ -74,6 +76,7 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
     const bssrdf::ScaledScattering scaled = bssrdf::scaledScattering(medium, c);
     inside.collision[c] = static_cast<float>(scaled.sigmaTPerMm);
     inside.scatters[c] = static_cast<float>(scaled.albedo);
+    inside.reflected[c] = static_cast<float>(profile.totalReflectance());
     inside.collision.w = static_cast<float>(scaled.g);
   }
   const double eta = medium.eta;
@@ -81,6 +84,7 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   inside.sigma.w = static_cast<float>(bssrdf::meanCosineInside(eta));
   inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
   inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
+  inside.reflected.w = static_cast<float>(bssrdf::exitDirections(eta).weights[0]);
   return inside;
 }
 
@@ -181,6 +185,8 @@ class TableBuilder {
     const bssrdf::Model model = bssrdf::modelOf(options_.transport);
     const FresnelLobes lobes = fresnelLobesOf(medium.eta);
     shared::MediumData data{};
+    const bssrdf::ExitDirections exits = bssrdf::exitDirections(medium.eta);
+    data.exits = {exits.cosines[0], exits.cosines[1], exits.mirrored[0], exits.mirrored[1]};
     data.boundary = {static_cast<float>(medium.eta),
                      static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
                      static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)};

@@ -13,6 +13,7 @@
 #define MESH_BINDING 9
 #define BINDING_SEEN_LIST 13
 #define BINDING_ASKED 18
+#define BINDING_NEARBY 21
 #include "lib/carry.glsl"
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
@@ -24,8 +25,11 @@ layout(std430, set = 0, binding = 8) buffer Found { vec4 found[]; };
 layout(std430, set = 0, binding = 15) readonly buffer Materials { SeenMaterial materials[]; };
 layout(std430, set = 0, binding = 17) writeonly buffer Paint { vec4 paint[]; };
 
+layout(std430, set = 0, binding = 20) writeonly buffer Origins { vec4 origins[]; };
+
 layout(push_constant) uniform Push {
   uint first;
+  uint keepsOrigins;
 };
 
 void main() {
@@ -37,8 +41,10 @@ void main() {
   bool opaque = isOpaque(body);
   bool painted = withPaint != 0u && mediumAt(body, place.position).tables.z != 0u;
   vec3 normal = hasBack(body) ? place.normal : place.side * place.normal;
-  vec3 better = corrected(known.rgb, place.position, normal, insideOf(body),
-                          opaque, painted, here ? body.clusters.x : noNode, body.clusters.y);
+  Carried carried = corrected(known.rgb, place.position, normal, insideOf(body),
+                              opaque, painted, here ? body.clusters.x : noNode, body.clusters.y);
+  vec3 better = carried.exitance;
+  if (keepsOrigins != 0u && seen.there) origins[seen.entry] = here ? carried.origin : unknownOrigin;
   if (here && opaque) better = mix(known.rgb, better, materials[seen.entry].normal.w);
   if (here) found[seen.entry] = vec4(better, known.a);
   if (withPaint != 0u && seen.there) paint[seen.entry] = vec4(enteredAround, 0.0);

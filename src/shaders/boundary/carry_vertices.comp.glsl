@@ -8,6 +8,7 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
+#define BINDING_NEARBY 12
 #include "lib/carry.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
@@ -18,6 +19,8 @@ layout(std430, set = 0, binding = 7) readonly buffer Normals { vec4 normals[]; }
 layout(std430, set = 0, binding = 8) readonly buffer ObjectOf { uint objectOf[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 10) buffer VertexExitances { vec4 vertexExitances[]; };
+
+layout(std430, set = 0, binding = 11) writeonly buffer Origins { vec4 origins[]; };
 
 layout(push_constant) uniform Push {
   uint vertexCount;
@@ -34,8 +37,9 @@ void main() {
   ObjectData body = objects[objectOf[vertex]];
   bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site) && hasSide(body, side);
   vec4 known = vertexExitances[at];
-  vec3 better = corrected(known.rgb, positions[vertex].xyz, outwardsOf(side, normals[vertex].xyz),
-                          insideOf(body), isOpaque(body), false,
-                          here ? body.clusters.x : noNode, body.clusters.y);
-  if (here) vertexExitances[at] = vec4(better, known.a);
+  Carried carried = corrected(known.rgb, positions[vertex].xyz, outwardsOf(side, normals[vertex].xyz),
+                              insideOf(body), isOpaque(body), false,
+                              here ? body.clusters.x : noNode, body.clusters.y);
+  if (here) vertexExitances[at] = vec4(carried.exitance, known.a);
+  if (inside && !side.back) origins[vertex] = here ? carried.origin : unknownOrigin;
 }

@@ -20,6 +20,8 @@ layout(std430, set = 0, binding = 7) readonly buffer Clusters { Cluster clusters
 layout(std430, set = 0, binding = 8) readonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer EnteredBefore { vec4 enteredBefore[]; };
 layout(std430, set = 0, binding = 11) buffer BareLights { BareLight bareLights[]; };
+layout(std430, set = 0, binding = 12) readonly buffer Entries { Entry entries[]; };
+layout(std430, set = 0, binding = 13) buffer Nearby { vec4 nearby[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -28,6 +30,7 @@ layout(push_constant) uniform Push {
   uint isDiffuse;  // 1: diffuse light has entered
   uint atSurface;  // 1: some of it there
   uint scattersOnce;  // 1: some light leaves after its first collision
+  uint lights;        // that have entered as well
 };
 
 // Clusters that hold both sides of a sheet do not tell on which of them light was mirrored.
@@ -59,6 +62,14 @@ vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   return leavesLayer(bare, enters, paint.leaving.rgb, paint.deep.rgb, paint.takenOff.rgb, ofEntered);
 }
 
+// What would leave a half-space of the light that has entered here.
+vec3 leavesNearby(uint i, BoundaryMedium medium) {
+  vec3 all = isDiffuse != 0u ? entered[i].rgb : vec3(0.0);
+  for (uint light = 0u; light < lights; ++light) all += entries[light * clusterCount + i].irradiance.rgb;
+  if (isPaintedCluster(i)) all *= clusterPaints[i].entering.rgb;
+  return medium.reflected.rgb * all;
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind == opaqueBody) return;
@@ -80,6 +91,8 @@ void main() {
     leaves += enters;
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);
+  nearby[i] = vec4(leavesNearby(i, medium) + (adds != 0u ? nearby[i].rgb : vec3(0.0)),
+                   1.0 / max(clusters[i].start.w, 1e-6));
   enteredBefore[i] = isDiffuse != 0u ? oneSided(clusters[i]) * entered[i] : vec4(0.0);
   exitances[i] = vec4(adds != 0u ? exitances[i].rgb + leaves : leaves, 0.0);
 }

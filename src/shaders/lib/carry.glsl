@@ -1,10 +1,11 @@
 // From clusters to places of the surface: light as boundary transport has it, with detail of a
 // half-space between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
-// BINDING_EXITANCES and BINDING_MEANS.
+// BINDING_EXITANCES and BINDING_MEANS; BINDING_NEARBY for where light comes from.
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_weight.glsl"
+#include "lib/origin.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 #include "shared/medium.h"
@@ -13,6 +14,10 @@
 layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
+
+#ifdef BINDING_NEARBY
+layout(std430, set = 0, binding = BINDING_NEARBY) readonly buffer Nearby { vec4 nearby[]; };
+#endif
 
 // Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
 // has between them; the smaller they are, the less of its detail is wanted.
@@ -37,18 +42,39 @@ vec3 exitanceOfCluster(uint i, bool painted, float weight) {
 }
 #endif
 
+// Sums over clusters around a place.
+struct Around {
+  vec4 origin;  // what leaves of light that entered there; 1 over the thickness
+  vec3 normals;
+  float squares;  // of distances, mm²
+};
+
+// 1 over how thick a plate is through which light leaves like here, 1/mm. Its ways through a ball are longest straight on,
+// through a plate at a slant: a ball is like a plate that is twice as thick.
+float overThicknessOf(Around around, float weight) {
+  float over = around.origin.w / weight;
+  float curved = sqrt(2.0 * max(1.0 - length(around.normals) / weight, 0.0) * weight / max(around.squares, 1e-18));
+  return over / (1.0 + min(0.5 * curved / max(over, 1e-18), 1.0));
+}
+
+struct Carried {
+  vec3 exitance;
+  vec4 origin;
+};
+
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. Of opaque
 // bodies clusters have what is not known at the place, and none of what is; of painted ones what is below
 // the paint. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
-vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
-               bool opaque, bool painted, uint root, uint end) {
+Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
+                  bool opaque, bool painted, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
   float edges = 0.0;
   float all = 0.0;
   float inside = 0.0;
+  Around around = Around(vec4(0.0), vec3(0.0), 0.0);
   uint next = root;
   while (true) {
     uint at = subgroupMin(next);
@@ -70,24 +96,30 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
         mean += weight * means[i].rgb;
         edges += weight * edge;
         inside += weight;
+#ifdef BINDING_NEARBY
+        around.origin += weight * nearby[i];
+        around.normals += weight * clusters[i].normal.xyz;
+        around.squares += weight * squared;
+#endif
       }
       next = opened ? at + 1u : afterNode(at, link);
       if (next >= end) next = noNode;
     }
   }
-  if (inside <= 0.0) return halfSpace;
+  if (inside <= 0.0) return Carried(halfSpace, unknownOrigin);
   exitance /= inside;
 #ifdef BINDING_BARE_LIGHTS
   enteredAround /= all;
 #endif
-  if (opaque) return halfSpace + exitance;
+  if (opaque) return Carried(halfSpace + exitance, unknownOrigin);
   mean /= inside;
   vec3 wanted = max(medium.extinction.rgb / coarseInFreePaths,
                     medium.sigma.rgb / coarseInDiffusionLengths);
   vec3 detail = clamp(edges / inside * wanted, 0.0, 1.0);
   detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
   vec3 better = max(exitance + detail * (halfSpace - mean), vec3(0.0));
-  return mix(halfSpace, better, inside / all);
+  vec3 found = mix(halfSpace, better, inside / all);
+  return Carried(found, vec4(min(around.origin.rgb / max(inside * found, vec3(1e-30)), vec3(1.0)), overThicknessOf(around, inside)));
 }
 
 #endif

@@ -122,4 +122,17 @@ vec4 meshExitanceAt(MeshPlace place) {
 }
 #endif
 
+#ifdef BINDING_MESH_ORIGINS
+#include "lib/origin.glsl"
+
+layout(set = 0, binding = BINDING_MESH_ORIGINS) uniform samplerBuffer meshOrigins;
+
+// Of the light that leaves there.
+vec4 meshOriginAt(MeshPlace place) {
+  return place.weights.x * texelFetch(meshOrigins, int(place.vertices.x)) +
+         place.weights.y * texelFetch(meshOrigins, int(place.vertices.y)) +
+         place.weights.z * texelFetch(meshOrigins, int(place.vertices.z));
+}
+#endif
+
 #endif

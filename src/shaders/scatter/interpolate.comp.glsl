@@ -14,6 +14,7 @@ layout(local_size_x = 64) in;
 #include "lib/darkest.glsl"
 #include "lib/seen.glsl"
 #include "lib/listing.glsl"
+#include "lib/origin.glsl"
 #include "lib/tolerance.glsl"
 
 layout(std430, set = 0, binding = 6) readonly buffer Blocks { uint blocks[]; };
@@ -22,6 +23,8 @@ layout(std430, set = 0, binding = 8) buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 9) buffer Paint { vec4 paint[]; };
 layout(std430, set = 0, binding = 14) writeonly buffer BlocksAfter { uint blocksAfter[]; };
 
+layout(std430, set = 0, binding = 15) buffer Origins { vec4 origins[]; };
+
 layout(constant_id = 0) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
@@ -29,6 +32,7 @@ layout(push_constant) uniform Push {
   uint rows;
   float tolerance;
   uint wide;  // 1: wide blocks, 0: narrow ones
+  uint keepsOrigins;
 };
 
 #include "lib/neighbours.glsl"
@@ -83,14 +87,19 @@ void interpolate(ivec2 pixel, vec2 at, Knots knots) {
   vec3 down = weightsAt(at.y);
   vec3 light = vec3(0.0);
   vec4 entered = vec4(0.0);
+  vec4 origin = vec4(0.0);
   for (int i = 0; i < 9; ++i) {
     float weight = across[i % 3] * down[i / 3];
     light += weight * exitances[knots.entries[i]].rgb;
+    if (keepsOrigins != 0u) origin += weight * origins[knots.entries[i]];
     if (withPaint != 0u) entered += weight * paint[knots.entries[i]];
   }
   uint entry = entryOfPixel[indexOf(pixel)];
   // No profile is evaluated for it.
   exitances[entry] = vec4(max(light, vec3(0.0)), 0.0);
+  // Knots of a block are of one body.
+  if (keepsOrigins != 0u)
+    origins[entry] = isKnown(origins[knots.entries[0]]) ? max(origin, vec4(0.0)) : unknownOrigin;
   if (withPaint != 0u) paint[entry] = max(entered, vec4(0.0));
 }
 

@@ -11,6 +11,7 @@
 #define BINDING_SURFACES 4
 #define MESH_BINDING 9
 #define BINDING_MEDIA 13
+#define BINDING_MESH_ORIGINS 15
 layout(local_size_x = 64) in;
 #include "lib/frame.glsl"
 #include "lib/lesser.glsl"
@@ -23,6 +24,8 @@ layout(std430, set = 0, binding = 7) writeonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 8) writeonly buffer Paint { vec4 paint[]; };
 layout(std430, set = 0, binding = 14) readonly buffer Entries { uint entryOfPixel[]; };
 
+layout(std430, set = 0, binding = 16) writeonly buffer Origins { vec4 origins[]; };
+
 layout(constant_id = 0) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
@@ -31,6 +34,7 @@ layout(push_constant) uniform Push {
   uint site;
   uint interpolates;  // 0: no block does
   uint samples;       // of a pixel; words of further layers are of another picture
+  uint keepsOrigins;
 };
 
 #include "lib/neighbours.glsl"
@@ -133,7 +137,11 @@ SeenHere surfaceSeen(ivec2 pixel, uint layer) {
 }
 
 void giveKnown(ivec2 pixel, SeenHere seen) {
-  if (!seen.summed) exitances[seen.entry] = meshExitanceAt(seenPlace(pixel, seen.word));
+  if (!seen.summed) {
+    MeshPlace place = seenPlace(pixel, seen.word);
+    exitances[seen.entry] = meshExitanceAt(place);
+    if (keepsOrigins != 0u) origins[seen.entry] = meshOriginAt(place);
+  }
   if (withPaint != 0u) paint[seen.entry] = vec4(0.0);
 }
 

@@ -36,6 +36,6 @@ void main() {
     known = lightsIrradiance(liftedPlace(place), -materials[seen.entry].normal.xyz, place.normal,
                              mediumAt(body, place.position));
   vec3 found = corrected(known, place.position, place.normal, insideOf(body), true, false,
-                         here ? body.clusters.x : noNode, body.clusters.y);
+                         here ? body.clusters.x : noNode, body.clusters.y).exitance;
   if (here) materials[seen.entry].behind = vec4(mix(known, found, materials[seen.entry].normal.w), 0.0);
 }

@@ -10,8 +10,10 @@
 #define SHADOW_BINDING 6
 #define BINDING_SKY_REFLECTION 7
 #define MESH_BINDING 11
+#define BINDING_MESH_ORIGINS 18
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/exit_law.glsl"
 #include "lib/material.glsl"
 #include "lib/glossy_sky.glsl"
 #include "lib/reflection.glsl"
@@ -32,6 +34,8 @@ layout(constant_id = 1) const uint withOwnSurfaces = 0u;
 layout(std430, set = 0, binding = 16) readonly buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 17) uniform samplerCubeArray glossySky;
 
+layout(std430, set = 0, binding = 19) readonly buffer Origins { vec4 origins[]; };
+
 layout(push_constant) uniform Push {
   uint atFragments;  // what has scattered stands in `light`, else at the vertices
   float alpha;       // of the GGX reflection
@@ -39,6 +43,7 @@ layout(push_constant) uniform Push {
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
   uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
   uint leavesSmooth;  // light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
+  uint byOrigin;  // as exitLaw() has it, else evenly
 };
 
 // The sky is seen through the lobe already.
@@ -108,6 +113,8 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   vec4 found = light[seen.entry];
   vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
   vec3 scattered = left * ((1.0 - kept) * medium.boundary.y);
+  if (byOrigin != 0u)
+    scattered *= exitLaw(medium, cosine, atFragments != 0u ? origins[seen.entry] : meshOriginAt(place));
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;

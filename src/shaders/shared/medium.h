@@ -20,11 +20,15 @@ struct BoundaryMedium {
   // Of single collisions, forward peaks left out (bssrdf::ScaledScattering).
   vec4 collision;  // rgb: σ_t*, 1/mm; w: mean cosine g*
   vec4 scatters;   // rgb: α*
+  vec4 reflected;  // rgb: of light that entered a half-space, what leaves; w: weight of the first
+                   // of MediumData::exits
 };
 
 struct MediumData {
   Profile profile;
   BoundaryMedium inside;
+  vec4 exits;  // two directions that stand for all in which light leaves (bssrdf::ExitDirections);
+               // x, y: cosines inside; z, w: how much is mirrored there
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: plain lobe
                   // and 1 / stretch of the light that enters (lights/fresnel_lobes.h)
   uvec4 tables;  // x: cube of the sky's irradiance; y: of opaque materials (shared/opaque.h), which
