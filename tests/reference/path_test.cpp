@@ -430,12 +430,12 @@ TEST(PathTest, ExitanceOfLightThatScatteredOnceOrMoreIsItsFlux) {
 // well.
 TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
   constexpr float radiusMm = 8;
-  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, radiusMm, 3), 1.5, 0, 1.3));
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, radiusMm, 3), 0.8, 0, 1.3));
   scene.lighting.ambient = {1, 1, 1};
   scene.camera.positionMm = {0, 0, 400};
   const Geometry geometry(scene);
   PathTracer tracer(geometry, {.seed = 3, .cellMm = 2, .coneDegrees = 25});
-  tracer.run(60000);
+  tracer.run(30000);
   // Of what is seen straight on and at a slant, by area.
   std::array<double, 2> sums{};
   std::array<double, 2> squares{};
