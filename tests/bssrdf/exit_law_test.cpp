@@ -52,7 +52,7 @@ shared::MediumData mediumOf(double eta, double albedo) {
       glm::vec4(glm::vec3(static_cast<float>(diffusion)), static_cast<float>(robin));
   medium.inside.sigma = glm::vec4(static_cast<float>(std::sqrt((1 - albedo) / diffusion)));
   medium.exits = {exits.cosines[0], exits.cosines[1], exits.mirrored[0], exits.mirrored[1]};
-  medium.inside.reflected.w = static_cast<float>(exits.weights[0]);
+  medium.inside.sigma.w = static_cast<float>(meanCosineInside(eta));
   return medium;
 }
 

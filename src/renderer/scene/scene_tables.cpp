@@ -84,7 +84,6 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   inside.sigma.w = static_cast<float>(bssrdf::meanCosineInside(eta));
   inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
   inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
-  inside.reflected.w = static_cast<float>(bssrdf::exitDirections(eta).weights[0]);
   return inside;
 }
 

@@ -55,7 +55,8 @@ vec3 exitLaw(MediumData medium, float cosine, vec4 origin) {
   RadianceBelow seen = gathered(sources, within, fresnelReflectance(eta, cosine));
   RadianceBelow first = gathered(sources, medium.exits.x, medium.exits.z);
   RadianceBelow second = gathered(sources, medium.exits.y, medium.exits.w);
-  float weight = medium.inside.reflected.w;
+  // Their mean is that of all directions.
+  float weight = (medium.exits.y - medium.inside.sigma.w) / (medium.exits.y - medium.exits.x);
   vec3 ofEntered = mix(second.entered, first.entered, weight);
   vec3 ofThrough = mix(second.through, first.through, weight);
   return mix(seen.through / ofThrough, seen.entered / ofEntered, clamp(vec3(origin), 0.0f, 1.0f));

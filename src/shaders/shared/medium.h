@@ -20,8 +20,7 @@ struct BoundaryMedium {
   // Of single collisions, forward peaks left out (bssrdf::ScaledScattering).
   vec4 collision;  // rgb: σ_t*, 1/mm; w: mean cosine g*
   vec4 scatters;   // rgb: α*
-  vec4 reflected;  // rgb: of light that entered a half-space, what leaves; w: weight of the first
-                   // of MediumData::exits
+  vec4 reflected;  // rgb: of light that entered a half-space, what leaves
 };
 
 struct MediumData {
