@@ -306,8 +306,8 @@ struct VisibleSurfaces {
   gpu::Buffer light;         ///< vec4 for each on the list: its exitance, then its radiance
   gpu::Buffer materials;     ///< shared::SeenMaterial for each, of opaque surfaces and such as have
                              ///< their own
-  gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
-                      ///< of what leaves the part that goes towards the camera, over that without
+  gpu::Buffer paint;    ///< vec4 for each: what has entered at the surface of painted bodies, then
+                        ///< of what leaves the part that goes towards the camera, over that without
   gpu::Buffer origins;  ///< vec4 for each: where the light that leaves comes from (lib/origin.glsl)
   std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find
                                         ///< that look at neighbours

@@ -47,7 +47,7 @@ TEST(InclusionTest, ACoreTakesTheLightThatMeetsIt) {
       const double radius = 0.999 * ballMm * std::sqrt(random());
       const double angle = 2 * std::numbers::pi * random();
       const Vector from{radius * std::cos(angle), radius * std::sin(angle), 20};
-      walk.follow({from, {0, 0, -1}}, random, [&](const SurfacePoint&, Order) { ++left; });
+      walk.follow({from, {0, 0, -1}}, random, [&](const Leaving&) { ++left; });
     }
     const double met = std::pow(coreMm / (0.999 * ballMm), 2);
     EXPECT_NEAR(static_cast<double>(left) / particles, 1 - met * (1 - share), 0.015) << share;
