@@ -76,7 +76,7 @@ class OpaqueFrame::Implementation {
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, cutOuts, shadows_);
     const passes::SeenSurfaces seen{view_, resources_.mesh, visible_};
-    surface_.draw(commands_, seen, cutOuts, samplePattern(1), false);
+    surface_.draw(commands_, seen, cutOuts, samplePattern(1), {});
     surface_.list(commands_, seen, 0, 1);
     commands_.beginPass("lambert");
     commands_.bind(lambert_,

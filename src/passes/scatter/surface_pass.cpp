@@ -215,17 +215,17 @@ void SurfacePass::drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& see
 }
 
 void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
-                       std::span<const shared::vec2> samples, bool visibleLights) const {
+                       std::span<const shared::vec2> samples, Beside beside) const {
   VisibleSurfaces& surfaces = seen.surfaces;
-  // Of holes and lights every sample has to be asked.
+  // Of holes, of lights and of what is behind surfaces every sample has to be asked.
   surfaces.drawnAtOnce = surfaces.drawn && surfaces.drawn.options().samples == samples.size() &&
-                         !visibleLights && seen.mesh.cutOut.empty();
+                         !beside.backdrop && !beside.lights && seen.mesh.cutOut.empty();
   commands.beginPass("surface");
   if (surfaces.drawnAtOnce) {
     drawAtOnce(commands, seen);
   } else {
     for (std::uint32_t sample = 0; sample < samples.size(); ++sample)
-      drawSample(commands, seen, cutOuts, sample, samples[sample], visibleLights);
+      drawSample(commands, seen, cutOuts, sample, samples[sample], beside.lights);
   }
   commands.endPass();
 }

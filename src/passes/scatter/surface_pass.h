@@ -35,10 +35,14 @@ class SurfacePass {
   static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent, std::uint32_t samples,
                                       KeptOfSeen kept);
 
+  /// What else a picture shows than surfaces.
+  struct Beside {
+    bool backdrop = false;  ///< something is wanted of samples that see none
+    bool lights = false;    ///< there may be some that hide the surface; they are a backdrop too
+  };
   /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
-  /// `visibleLights`: there may be lights that hide the surface.
   void draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
-            std::span<const shared::vec2> samples, bool visibleLights) const;
+            std::span<const shared::vec2> samples, Beside beside) const;
 
   /// Of a band of the picture that starts at that row, after draw() with as many samples.
   void list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,

@@ -388,7 +388,7 @@ struct FrameContext {
     commands.prepare(resources.radiance,
                      plan.backdrop ? gpu::Access::StorageWrite : gpu::Access::TransferWrite);
     passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(plan.samples),
-                        plan.visibleLights);
+                        {.backdrop = plan.backdrop, .lights = plan.visibleLights});
     beginPicture();
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, plan.samples, scene);
@@ -398,7 +398,7 @@ struct FrameContext {
 
   void lookAtCentres(SceneResources& scene) const {
     passes::SeenCentres& centres = resources.centres;
-    passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(1), false);
+    passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(1), {});
     for (gpu::GpuImage* image : {&centres.position, &centres.normal, &centres.exitance})
       commands.clear(*image);
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {

@@ -128,7 +128,7 @@ void ViewResources::makeRoom(const FramePlan& plan, bool areaLights, bool cutOut
       .paint = surfaces.kept.paint || plan.painted,
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
       .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights),
-      .drawn = surfaces.kept.drawn || (samples > 1 && !plan.visibleLights && !cutOut)};
+      .drawn = surfaces.kept.drawn || (samples > 1 && !plan.backdrop && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);
