@@ -6,23 +6,11 @@
 namespace opaline::passes {
 
 OccludedSkyPass::OccludedSkyPass(gpu::Device& device)
-    : linear_(device, gpu::Filter::Linear),
-      around_(device, "clusters around tiles"),
-      pass_(device, "sky on surfels") {}
+    : linear_(device, gpu::Filter::Linear), pass_(device, "sky on surfels") {}
 
 void OccludedSkyPass::record(gpu::CommandList& commands, SceneTables& tables, Sky& sky,
                              Clusters& clusters, Surfels& surfels) const {
   commands.beginPass("sky");
-  commands.bind(around_,
-                {.objects = tables.objects,
-                 .media = tables.media,
-                 .tiles = clusters.tiles,
-                 .clusterTexels = clusters.clusters,
-                 .clusterNodes = clusters.nodes,
-                 .ranges = clusters.ranges,
-                 .around = clusters.around},
-                {.tileCount = clusters.tileCount});
-  commands.dispatchGroups(clusters.tileCount, roundsOfWalk);
   commands.bind(pass_,
                 {.objects = tables.objects,
                  .media = tables.media,

@@ -3,7 +3,6 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
-#include "shaders/boundary/around.comp.h"
 #include "shaders/boundary/occluded_sky.comp.h"
 
 namespace opaline::gpu {
@@ -23,7 +22,6 @@ class OccludedSkyPass {
 
  private:
   gpu::Sampler linear_;
-  gpu::Compute<shaders::BoundaryAround> around_;
   gpu::Compute<shaders::BoundaryOccludedSky> pass_;
 };
 

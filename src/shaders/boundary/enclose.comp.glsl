@@ -1,4 +1,4 @@
-// The interaction lists of a frame, and the share of the solid angle that the body fills around each
+// The interaction lists of a frame, the clusters around each tile, and the share of the solid angle that the body fills around each
 // cluster: c_i = Σ (x_j - x_i)·A_j / (4π r³), over the same nodes as the product takes, with their
 // first moments.
 #version 460
@@ -16,6 +16,8 @@
 
 layout(std430, set = 0, binding = 5) writeonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer Lists { uint lists[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Around { uint around[]; };
 
 layout(push_constant) uniform Push {
   uint tileCount;
@@ -39,8 +41,45 @@ float shareOf(vec3 offset, float squared, bool leaf, vec3 vectorArea, float area
   return fills + over3 * (traceOf(moment) - 3.0 * over * over * alongTwice(moment, offset));
 }
 
+float largestRadius() {
+  float largest = 0.0;
+  for (uint k = tile.firstCluster; k < tile.endCluster; ++k) largest = max(largest, spreadOf(ranges[k].node).x);
+  return largest;
+}
+
+// Of this invocation's part of the tree, the next leaf from `at` on that is felt within so much of a cluster's middle.
+uint nextFelt(inout uint at, float radius) {
+  while (at < sliceEnd) {
+    uint node = at;
+    vec4 centroidLink = centroidLinkOf(node);
+    uint link = floatBitsToUint(centroidLink.w);
+    uint after = afterNode(node, link);
+    float reach = spreadOf(node).z + radius;
+    bool apart = after <= sliceBegin || nearestSquared(centroidLink.xyz) > reach * reach;
+    at = apart || isLeaf(link) ? after : node + 1u;
+    if (!apart && isLeaf(link) && node >= sliceBegin) return node;
+  }
+  return noNode;
+}
+
+// Lists the leaves of clusters that are felt anywhere in the tile, in the order of the tree.
+void listAround() {
+  float radius = largestRadius();
+  uint count = 0u;
+  uint at = body.clusters.x;
+  while (nextFelt(at, radius) != noNode) ++count;
+  uint all;
+  uint place = groupPlaceFor(count, all);
+  uint list = tileIndex * roomOfAround;
+  if (gl_LocalInvocationIndex == 0u) around[list] = min(all, roomOfAround - 1u);
+  at = body.clusters.x;
+  for (; count > 0u && place < roomOfAround - 1u; --count) around[list + 1u + place++] = nextFelt(at, radius);
+  barrier();
+}
+
 void main() {
   if (!enterTile(tileCount)) return;
+  listAround();
   float shares[maxClustersOfTile];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) shares[t] = 0.0;
   uint felt = 0u;
