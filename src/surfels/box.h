@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "surfels/vector.h"
@@ -33,10 +32,7 @@ struct Box {
     return true;
   }
 
-  double diagonal() const {
-    const Vector extent = difference(high, low);
-    return std::sqrt(dot(extent, extent));
-  }
+  double diagonal() const { return lengthOf(difference(high, low)); }
 };
 
 }  // namespace opaline::surfels

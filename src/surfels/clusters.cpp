@@ -187,7 +187,7 @@ class Divider {
     Vector mean{};
     for (std::uint32_t i = below.firstSurfel; i < below.endSurfel; ++i)
       addTimes(1, shapes_[i].vectorAreaMm2, mean);
-    const double most = otherSide * std::sqrt(dot(mean, mean));
+    const double most = otherSide * lengthOf(mean);
     std::array<double, 2> areaMm2{};
     std::array<Vector, 2> middleMm{};
     for (std::uint32_t i = below.firstSurfel; i < below.endSurfel; ++i) {

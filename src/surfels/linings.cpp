@@ -27,10 +27,6 @@ constexpr double pieceOverCluster = 0.25;
 constexpr std::size_t mostMorePieces = 100'000;
 constexpr double coarserLinings = 1.5;
 
-Vector vectorOf(const Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
-
 Vector moved(const Vector& place, double by, const Vector& along) {
   Vector sum = place;
   addTimes(by, along, sum);
@@ -143,7 +139,7 @@ class Linings::Finder {
   bool lineBy(std::uint32_t triangle, std::uint32_t body, std::uint32_t solid, double spacingMm,
               Linings& made) const {
     Vector normal = crossOf(surface_, triangle);
-    const double length = std::sqrt(dot(normal, normal));
+    const double length = lengthOf(normal);
     if (!(length > 0)) return true;
     for (double& axis : normal) axis /= length;
     const WindingNumber& inside = found_->bodies.at(body);

@@ -131,11 +131,10 @@ void uncover(const core::RestSurface& surface, const Linings& linings, std::size
   std::vector<std::size_t> left(objects, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Vector normal = crossOf(surface, pieces[i].triangle);
-    const double length = std::sqrt(dot(normal, normal));
+    const double length = lengthOf(normal);
     for (double& axis : normal) axis /= std::max(length, std::numeric_limits<double>::min());
-    const Vec3 middle = middleOfMm(surface, pieces[i]);
     const std::uint32_t object = surface.objectOfTriangle[pieces[i].triangle];
-    covered[i] = linings.isCovered(object, {middle[0], middle[1], middle[2]}, normal);
+    covered[i] = linings.isCovered(object, vectorOf(middleOfMm(surface, pieces[i])), normal);
     if (!covered[i]) ++left[object];
   }
   std::size_t kept = 0;

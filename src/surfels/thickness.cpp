@@ -44,7 +44,7 @@ class Tracer {
     const Vector along = difference(corners[1], corners[0]);
     const Vector across = difference(corners[2], corners[0]);
     const Vector outwards = cross(along, across);
-    const double length = std::sqrt(dot(outwards, outwards));
+    const double length = lengthOf(outwards);
     if (!(length > 0)) return std::numeric_limits<double>::infinity();
     double v = 0;
     double w = 0;
@@ -63,10 +63,8 @@ class Tracer {
  private:
   std::array<Vector, 3> cornersOf(std::uint32_t triangle) const {
     std::array<Vector, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& place = surface_.positionsMm[surface_.triangles[triangle][i]];
-      corners[i] = {place[0], place[1], place[2]};
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      corners[i] = vectorOf(surface_.positionsMm[surface_.triangles[triangle][i]]);
     return corners;
   }
 

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+
+#include "opaline/types.h"
 
 namespace opaline::surfels {
 
 using Vector = std::array<double, 3>;
+
+inline Vector vectorOf(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
 
 inline Vector difference(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -13,6 +20,10 @@ inline Vector difference(const Vector& a, const Vector& b) {
 
 inline double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline double lengthOf(const Vector& v) {
+  return std::sqrt(dot(v, v));
 }
 
 inline Vector cross(const Vector& a, const Vector& b) {

@@ -13,10 +13,6 @@ constexpr std::uint32_t trianglesOfLeaf = 8;
 // A node is taken as one from further than so many of its radii.
 constexpr double farInRadii = 4;
 
-double lengthOf(const Vector& v) {
-  return std::sqrt(dot(v, v));
-}
-
 // Van Oosterom and Strackee 1983; above 0 from within.
 double solidAngle(const std::array<Vector, 3>& corners, const Vector& from) {
   const Vector a = difference(corners[0], from);
@@ -43,8 +39,7 @@ WindingNumber::WindingNumber(const core::RestSurface& surface,
   for (const std::uint32_t t : triangles) {
     Corners corners{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& place = surface.positionsMm[surface.triangles[t][i]];
-      corners[i] = {place[0], place[1], place[2]};
+      corners[i] = vectorOf(surface.positionsMm[surface.triangles[t][i]]);
       box_.include(corners[i]);
     }
     triangles_.push_back(corners);

@@ -39,6 +39,7 @@ constexpr VkFormat formatOfWords = VK_FORMAT_R32_UINT;
 constexpr VkFormat formatOfDepth = VK_FORMAT_D32_SFLOAT;
 constexpr VkImageUsageFlags usageOfDrawn =
     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+constexpr VkImageUsageFlags usageOfDepth = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
 gpu::GraphicsOptions ofWords(std::uint32_t samples = 1) {
   return {.colorFormats = {formatOfWords},
@@ -47,16 +48,16 @@ gpu::GraphicsOptions ofWords(std::uint32_t samples = 1) {
           .samples = static_cast<VkSampleCountFlagBits>(samples)};
 }
 
-std::size_t sizeOf(std::uint32_t samples) {
+// Of the pipelines that draw several samples at once.
+std::size_t pipelineFor(std::uint32_t samples) {
   return static_cast<std::size_t>(std::countr_zero(samples)) - 1;
 }
 
 // Whether the device draws so many samples of a pixel at once, at the places that samplePattern()
 // has.
 bool drawsAtOnce(const gpu::Device& device, std::uint32_t samples) {
-  const VkSampleCountFlags able =
-      gpu::sampleCountsOf(device, formatOfWords, usageOfDrawn) &
-      gpu::sampleCountsOf(device, formatOfDepth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  const VkSampleCountFlags able = gpu::sampleCountsOf(device, formatOfWords, usageOfDrawn) &
+                                  gpu::sampleCountsOf(device, formatOfDepth, usageOfDepth);
   return samples > 1 && device.limits().standardSampleLocations == VK_TRUE && (able & samples) != 0;
 }
 
@@ -98,24 +99,19 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                  .height = extent.height,
                  .layers = atOnce ? 1 : depthsOf(extent, samples),
                  .format = formatOfDepth,
-                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                 .usage = usageOfDepth,
                  .kind = gpu::ImageKind::Array}};
   if (atOnce) {
-    const auto ofPixel = static_cast<VkSampleCountFlagBits>(samples);
-    made.drawn = {device,
-                  {.name = "triangles of samples",
-                   .width = extent.width,
-                   .height = extent.height,
-                   .format = formatOfWords,
-                   .usage = usageOfDrawn,
-                   .samples = ofPixel}};
-    made.drawnDepth = {device,
-                       {.name = "depth of samples",
-                        .width = extent.width,
-                        .height = extent.height,
-                        .format = formatOfDepth,
-                        .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                        .samples = ofPixel}};
+    const auto ofSamples = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
+      return gpu::GpuImage(device, {.name = name,
+                                    .width = extent.width,
+                                    .height = extent.height,
+                                    .format = format,
+                                    .usage = usage,
+                                    .samples = static_cast<VkSampleCountFlagBits>(samples)});
+    };
+    made.drawn = ofSamples("triangles of samples", formatOfWords, usageOfDrawn);
+    made.drawnDepth = ofSamples("depth of samples", formatOfDepth, usageOfDepth);
   }
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
@@ -206,7 +202,7 @@ void SurfacePass::drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& see
   VisibleSurfaces& surfaces = seen.surfaces;
   const gpu::DepthTarget depth{.image = &surfaces.drawnDepth};
   commands.bind(
-      atOnce_[sizeOf(surfaces.drawn.options().samples)],
+      atOnce_[pipelineFor(surfaces.drawn.options().samples)],
       {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
       {}, {.jitter = shared::vec2(0, 0)});
   commands.beginRendering({{.image = &surfaces.drawn}}, &depth);
@@ -219,7 +215,7 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, con
   VisibleSurfaces& surfaces = seen.surfaces;
   // Of holes, of lights and of what is behind surfaces every sample has to be asked.
   surfaces.drawnAtOnce = surfaces.drawn && surfaces.drawn.options().samples == samples.size() &&
-                         !beside.backdrop && !beside.lights && seen.mesh.cutOut.empty();
+                         !beside.backdrop && seen.mesh.cutOut.empty();
   commands.beginPass("surface");
   if (surfaces.drawnAtOnce) {
     drawAtOnce(commands, seen);

@@ -57,7 +57,7 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   makeBackdrop(plan, edited, behind);
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
-  makeRoom(plan, !lighting.areas.empty(), !scene.mesh.cutOut.empty());
+  makeRoom(plan, lighting, !scene.mesh.cutOut.empty());
   if (shadows) makeShadows(device_, lighting, options, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
@@ -119,7 +119,7 @@ void ViewResources::makeImages(const RenderOptions& options) {
 }
 
 // For as many samples as any frame has had.
-void ViewResources::makeRoom(const FramePlan& plan, bool areaLights, bool cutOut) {
+void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bool cutOut) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
@@ -127,8 +127,9 @@ void ViewResources::makeRoom(const FramePlan& plan, bool areaLights, bool cutOut
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
       .paint = surfaces.kept.paint || plan.painted,
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
-      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights),
-      .drawn = surfaces.kept.drawn || (samples > 1 && !plan.backdrop && !cutOut)};
+      .ofPixels =
+          surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && !lighting.areas.empty()),
+      .drawn = surfaces.kept.drawn || (samples > 1 && !showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

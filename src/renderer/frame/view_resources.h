@@ -49,7 +49,7 @@ class ViewResources {
   void makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew);
   void makeExitance(const SceneResources& scene);
   void makeImages(const RenderOptions& options);
-  void makeRoom(const FramePlan& plan, bool areaLights, bool cutOut);
+  void makeRoom(const FramePlan& plan, const Lighting& lighting, bool cutOut);
   void makeMap(const RenderOptions& options, SceneResources& scene);
 
   gpu::Device& device_;

@@ -1,6 +1,6 @@
-// The interaction lists of a frame, the clusters around each tile, and the share of the solid angle that the body fills around each
-// cluster: c_i = Σ (x_j - x_i)·A_j / (4π r³), over the same nodes as the product takes, with their
-// first moments.
+// The interaction lists of a frame, the clusters around each tile, and the share of the solid angle that the body
+// fills around each cluster: c_i = Σ (x_j - x_i)·A_j / (4π r³), over the same nodes as the product takes, with
+// their first moments.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
