@@ -87,6 +87,7 @@ lint: everything
 
 bench: everything
 	$(BUILD)/bin/opaline_frame_bench
+	$(BUILD)/bin/opaline_edit_bench
 	$(BUILD)/bin/opaline_motion_bench
 	$(BUILD)/bin/opaline_soft_body_bench
 

@@ -70,6 +70,10 @@ Scene loadModel(const char* medium) {
   return builtInBear(options);
 }
 
+Scene loadBear() {
+  return builtInBear(optionsFor("marble"));
+}
+
 std::vector<Scene> loadScenes() {
   std::vector<Scene> scenes;
   for (const char* medium : {"marble", "skin1"}) scenes.push_back(loadModel(medium));

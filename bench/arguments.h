@@ -20,6 +20,9 @@ Arguments parse(std::string_view program, int count, char** values, int defaultF
 /// The bunny of the models, or the built-in bear where there are none, 50 mm.
 Scene loadModel(const char* medium = "marble");
 
+/// The built-in bear of marble, 50 mm.
+Scene loadBear();
+
 /// What frames of default settings are measured of, each 50 mm: bunnies, bears, and a walking man
 /// where the models are there.
 std::vector<Scene> loadScenes();

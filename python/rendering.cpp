@@ -192,7 +192,7 @@ void bindRendering(py::module_& module) {
 width, height: pixels, in [1, 16384]; aovs: a variable or several of radiance, exitance, irradiance, position, normal,
 depth, evaluations, object, surfels; camera: a Camera instead of the scene's; environment_behind: environment and ambient
 light fill what no surface covers; reuse_light: if only camera, size and antialias changed since the last picture, its
-light is kept, and the picture is the same, sooner. Other options and their defaults:
+light is kept, and if lights changed too, all that tells where things lie: the same picture, sooner. Other options and their defaults:
 
 )" + keywordHelp() + R"(
 The interpreter's lock is released meanwhile. Ctrl C is heeded when the frame is done.)";

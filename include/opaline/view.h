@@ -88,8 +88,9 @@ struct FrameOrder {
   bool exitance = false;  ///< leave the exitance of vertices on the device, as View::exitance
   bool patient = true;    ///< wait until the surface is divided again for changed media; otherwise
                           ///< use the old division while another thread makes the new one
-  bool reuseLight = false;  ///< if only camera, size and samples changed since the view's last
-                            ///< frame, reuse its light: the same picture, sooner
+  bool reuseLight = false;  ///< the same picture, sooner: if only camera, size and samples changed
+                            ///< since the view's last frame, reuse its light; if only lights did
+                            ///< as well, reuse what tells where everything lies
   /// Left on the device as well, as View::picture(Aov). Not those of the diffusion source map.
   std::vector<Aov> aovsOnDevice;
 };

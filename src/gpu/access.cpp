@@ -13,6 +13,12 @@ constexpr VkPipelineStageFlags2 shaderStages = VK_PIPELINE_STAGE_2_VERTEX_SHADER
 constexpr VkPipelineStageFlags2 depthStages =
     VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
 
+constexpr VkAccessFlags2 storageAccesses =
+    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+// What shaders read and write of buffers, as they are or as texels.
+constexpr VkAccessFlags2 bufferAccesses =
+    storageAccesses | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
+
 bool covers(const AccessState& state, const AccessScope& scope) {
   return (scope.stages & ~state.readStages) == 0 && (scope.accesses & ~state.readAccesses) == 0;
 }
@@ -124,6 +130,26 @@ std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next
   addRead(state, next);
   if (state.writeStages == 0) return std::nullopt;
   return barrier;
+}
+
+void widen(AccessBarrier& barrier) {
+  if ((barrier.fromStages & shaderStages) == 0 || (barrier.toStages & shaderStages) == 0) return;
+  barrier.fromStages |= shaderStages;
+  barrier.fromAccesses |= storageAccesses;
+  barrier.toStages |= shaderStages;
+  barrier.toAccesses |= bufferAccesses;
+}
+
+void CommandOrder::note(const AccessBarrier& barrier) {
+  const bool isWide = (shaderStages & ~(barrier.fromStages & barrier.toStages)) == 0 &&
+                      (storageAccesses & ~barrier.fromAccesses) == 0 &&
+                      (bufferAccesses & ~barrier.toAccesses) == 0;
+  if (isWide) ordered_ = next_;
+}
+
+bool CommandOrder::hasOrdered(const AccessBarrier& barrier, std::uint64_t command) const {
+  return command < ordered_ && ((barrier.fromStages | barrier.toStages) & ~shaderStages) == 0 &&
+         ((barrier.fromAccesses | barrier.toAccesses) & ~bufferAccesses) == 0;
 }
 
 std::optional<AccessBarrier> prepare(AccessState& state, const AccessScope& next) {

@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
 #include <optional>
 
 namespace opaline::gpu {
@@ -48,6 +49,7 @@ struct AccessState {
   VkPipelineStageFlags2 readStages = 0;
   VkAccessFlags2 readAccesses = 0;
   bool isPrepared = false;  ///< the last write has been ordered, and is yet to be recorded
+  std::uint64_t command = 0;  ///< number of the last that accessed it; of buffers
 };
 
 struct AccessBarrier {
@@ -59,6 +61,26 @@ struct AccessBarrier {
   VkImageLayout newLayout = VK_IMAGE_LAYOUT_UNDEFINED;
 
   bool operator==(const AccessBarrier&) const = default;
+};
+
+/// Between all accesses of shaders to buffers, where that one is between some.
+void widen(AccessBarrier& barrier);
+
+/// Numbers commands in the order in which they are recorded, and knows the last of them before which
+/// all that shaders had done to buffers was ordered: nothing need wait for that again.
+class CommandOrder {
+ public:
+  /// Of the next command.
+  std::uint64_t next() const { return next_; }
+  void noteCommand() { ++next_; }
+  /// Before the next command.
+  void note(const AccessBarrier& barrier);
+  /// Whether that has been ordered before, for a buffer that `command` accessed last.
+  bool hasOrdered(const AccessBarrier& barrier, std::uint64_t command) const;
+
+ private:
+  std::uint64_t next_ = 1;
+  std::uint64_t ordered_ = 0;  // the command before which shaders were waited for last
 };
 
 /// Moves `state` on to the next access and returns the barrier that has to stand before it, if any.

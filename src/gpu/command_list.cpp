@@ -233,8 +233,11 @@ double CommandList::frameMilliseconds() {
 void CommandList::order(Buffer& buffer, AccessScope scope) {
   scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
   if (buffer.isBorrowed()) parts_[part_].borrows = true;
+  CommandOrder& commands = device_.commandOrder();
+  const std::uint64_t last = buffer.state_.command;
   const auto barrier = advance(buffer.state_, scope);
-  if (!barrier) return;
+  buffer.state_.command = commands.next();
+  if (!barrier || commands.hasOrdered(*barrier, last)) return;
   memoryBarrier_.fromStages |= barrier->fromStages;
   memoryBarrier_.fromAccesses |= barrier->fromAccesses;
   memoryBarrier_.toStages |= barrier->toStages;
@@ -256,8 +259,19 @@ void CommandList::add(GpuImage& image, const std::optional<AccessBarrier>& barri
   imageBarriers_[imageBarrierCount_++] = {image.handle(), image.aspect(), *barrier};
 }
 
+// Before each command.
 void CommandList::flushBarriers() {
-  if (memoryBarrier_.toStages == 0 && imageBarrierCount_ == 0) return;
+  CommandOrder& order = device_.commandOrder();
+  if (memoryBarrier_.toStages != 0 || imageBarrierCount_ != 0) {
+    widen(memoryBarrier_);
+    // What was bound for a command before, this one may read and write again.
+    if (boundFor_ == order.next()) order.note(memoryBarrier_);
+    addBarrier();
+  }
+  order.noteCommand();
+}
+
+void CommandList::addBarrier() {
   assert(filling_);
   assert(!rendering_ && "a barrier inside a rendering scope: bind before beginRendering");
   ++counts_.barriers;
@@ -306,6 +320,7 @@ void CommandList::bindResources(std::span<const Binding> bindings) {
   assert(filling_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
   if (bindings.empty()) return;
   orderBindings(bindings);
+  boundFor_ = device_.commandOrder().next();
   std::array<tape::Resource, maxSlots> resources;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     assert(pipeline_->hasSlot(bindings[i].slot));

@@ -209,6 +209,7 @@ class CommandList {
   void order(GpuImage& image, const AccessScope& scope);
   void add(GpuImage& image, const std::optional<AccessBarrier>& barrier);
   void flushBarriers();
+  void addBarrier();
   void dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds);
   void bindPipeline(const Pipeline& pipeline);
   void bindResources(std::span<const Binding> bindings);
@@ -236,6 +237,7 @@ class CommandList {
   bool rendering_ = false;
 
   const Pipeline* pipeline_ = nullptr;
+  std::uint64_t boundFor_ = 0;  // the command that followed the last bind
   // What is bound at each slot, graphics and compute apart.
   std::array<std::array<Binding, maxSlots>, 2> bound_;
 

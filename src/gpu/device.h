@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/access.h"
 #include "gpu/retired_objects.h"
 #include "gpu/submissions.h"
 #include "gpu/vulkan_functions.h"
@@ -159,6 +160,9 @@ class Device {
   /// What spares later runs on the same device and driver most compilations.
   std::vector<std::byte> pipelineCache() const;
 
+  /// Of all lists' commands.
+  CommandOrder& commandOrder() { return commandOrder_; }
+
   const WorkGroups& workGroups() const { return workGroups_; }
 
   /// Whether shaders may send rays through acceleration structures.
@@ -197,6 +201,7 @@ class Device {
   std::uint64_t timelineValue_ = 0;        // once all of them have finished
   Submissions submissions_;
   bool abandoned_ = false;
+  CommandOrder commandOrder_;
   VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
   RetiredObjects retired_;
   VkPhysicalDeviceProperties properties_{};

@@ -67,6 +67,11 @@ void PassTimer::begin(CommandTape& commands, const char* name) {
     commands.add(tape::ResetQueries{pool_, 2 * count_, 2 * std::min(passesAtOnce, left)});
   }
   commands.add(tape::WriteTimestamp{pool_, 2 * count_});
+  // Mesa's software device looks at the clock where the next barrier stands.
+  if (device_.info().type == DeviceType::Software)
+    commands.add({.fromStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                  .toStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT},
+                 {});
 }
 
 void PassTimer::end(CommandTape& commands) {

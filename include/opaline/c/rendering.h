@@ -203,7 +203,7 @@ typedef struct OpalineFrameOrder {
   size_t size;             ///< sizeof(OpalineFrameOrder)
   const OpalineAov* aovs;  ///< for opalineCollect()
   size_t aovCount;
-  int32_t reuseLight;  ///< 1: if only the camera changed since the last frame, reuse its light
+  int32_t reuseLight;  ///< 1: reuse what has not changed; see FrameOrder::reuseLight in view.h
   int32_t impatient;   ///< 1: do not wait until the surface is divided for changed media
 } OpalineFrameOrder;
 

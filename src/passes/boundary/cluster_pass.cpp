@@ -172,10 +172,11 @@ std::uint32_t lightsAtOnce(const gpu::Device& device, std::uint32_t clusters) {
 
 ClusterPass::ClusterPass(gpu::Device& device)
     : linear_(device, gpu::Filter::Linear),
-      gather_{{device, "clusters", {.withAreaLights = 0, .withNormals = 0}},
-              {device, "clusters", {.withAreaLights = 0, .withNormals = 1}}},
-      gatherOfAreaLights_{{device, "clusters", {.withAreaLights = 1, .withNormals = 0}},
-                          {device, "clusters", {.withAreaLights = 1, .withNormals = 1}}},
+      gather_(device, "clusters"),
+      entries_{{{device, "light that enters", {.withAreaLights = 0, .withNormals = 0}},
+                {device, "light that enters", {.withAreaLights = 0, .withNormals = 1}}},
+               {{device, "light that enters", {.withAreaLights = 1, .withNormals = 0}},
+                {device, "light that enters", {.withAreaLights = 1, .withNormals = 1}}}},
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
       survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
@@ -260,22 +261,23 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   return clusters;
 }
 
-void ClusterPass::record(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
-                         Clusters& clusters) const {
+void ClusterPass::recordShape(gpu::CommandList& commands, const ShapeInputs& inputs,
+                              Clusters& clusters) const {
   commands.beginPass("clusters");
   gather(commands, inputs, clusters);
   fitNodes(commands, clusters);
   enclose(commands, inputs, clusters);
   commands.endPass();
   commands.beginPass("rays");
-  survey(commands, inputs, looksAround, clusters);
+  survey(commands, inputs, clusters);
   commands.endPass();
 }
 
-void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
-                         Clusters& clusters) const {
+void ClusterPass::recordEntries(gpu::CommandList& commands, const EntryInputs& inputs,
+                                Clusters& clusters) const {
+  commands.beginPass("clusters");
   const bool hasNormals = inputs.tables.surfaces.anyNormals;
-  commands.bind((inputs.areaLights ? gatherOfAreaLights_ : gather_).of(hasNormals),
+  commands.bind(entries_.of(inputs.areaLights, hasNormals),
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
                  .normals = inputs.mesh.normals,
@@ -286,12 +288,25 @@ void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                  .skyIrradiance = {inputs.sky.irradiance, linear_},
                  .ranges = clusters.ranges,
                  .clusters = clusters.clusters,
-                 .nodes = clusters.nodes,
                  .entries = clusters.entries,
                  .tilts = inputs.tables.surfaces.tilts},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel});
+  commands.dispatchLinear(clusters.count);
+  commands.endPass();
+}
+
+void ClusterPass::gather(gpu::CommandList& commands, const ShapeInputs& inputs,
+                         Clusters& clusters) const {
+  commands.bind(gather_,
+                {.positions = inputs.mesh.positions,
+                 .normals = inputs.mesh.normals,
+                 .pieces = inputs.surfels.pieces,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .nodes = clusters.nodes},
+                {.clusterCount = clusters.count, .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
 }
 
@@ -302,7 +317,7 @@ void ClusterPass::fitNodes(gpu::CommandList& commands, Clusters& clusters) const
   });
 }
 
-void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
+void ClusterPass::enclose(gpu::CommandList& commands, const ShapeInputs& inputs,
                           Clusters& clusters) const {
   commands.bind(enclose_,
                 {.objects = inputs.tables.objects,
@@ -320,7 +335,7 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
   commands.dispatchGroups(clusters.tileCount, roundsOfWalk);
 }
 
-void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
+void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                          Clusters& clusters) const {
   commands.bind(survey_,
                 {.objects = inputs.tables.objects,
@@ -336,7 +351,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
                  .brightSky = inputs.sky.bright},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .raysOutwards = looksAround ? clusters.raysOutwards : 0,
+                 .raysOutwards = inputs.looksAround ? clusters.raysOutwards : 0,
                  .nodeCount = inputs.surfels.tree.nodeCount});
   commands.dispatchLinear(clusters.count, (raysOutwards + 1) * roundsOfWalk);
 }

@@ -10,6 +10,7 @@
 #include "shaders/boundary/cluster_nodes.comp.h"
 #include "shaders/boundary/clusters.comp.h"
 #include "shaders/boundary/enclose.comp.h"
+#include "shaders/boundary/entries.comp.h"
 #include "shaders/boundary/survey.comp.h"
 #include "surfels/clusters.h"
 #include "surfels/surfels.h"
@@ -38,30 +39,39 @@ class ClusterPass {
                                const core::RestSurface& surface,
                                const surfels::SurfelDivision& surfels, const BodyKinds& kinds);
 
-  struct Inputs {
-    FrameView& frame;
+  struct ShapeInputs {
     DeformedMesh& mesh;
     SceneTables& tables;
     Sky& sky;
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
-    bool areaLights;     ///< there are some
+    bool looksAround;    ///< else each sees all of the sky and nothing else
   };
-  /// Rays outwards only where `looksAround`: else each sees all of the sky and nothing else.
-  void record(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
-              Clusters& clusters) const;
+  /// Where they lie, what acts on which, how thick the body is and what of the scene they see.
+  void recordShape(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
+
+  struct EntryInputs {
+    FrameView& frame;
+    DeformedMesh& mesh;
+    SceneTables& tables;
+    Sky& sky;
+    Surfels& surfels;
+    bool areaLights;  ///< there are some
+  };
+  /// The light that enters.
+  void recordEntries(gpu::CommandList& commands, const EntryInputs& inputs,
+                     Clusters& clusters) const;
 
  private:
-  void gather(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  void gather(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
   void fitNodes(gpu::CommandList& commands, Clusters& clusters) const;
-  void enclose(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
-  void survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
-              Clusters& clusters) const;
+  void enclose(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
+  void survey(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
 
   gpu::Sampler linear_;
-  Variants<shaders::BoundaryClusters> gather_;  ///< these two by normal textures
-  Variants<shaders::BoundaryClusters> gatherOfAreaLights_;
+  gpu::Compute<shaders::BoundaryClusters> gather_;
+  VariantsOfTwo<shaders::BoundaryEntries> entries_;  ///< by area lights and normal textures
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
   gpu::Compute<shaders::BoundarySurvey> survey_;

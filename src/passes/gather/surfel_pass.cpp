@@ -28,10 +28,10 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
   packed.reserve(made.pieces.size());
   for (const surfels::Piece& piece : made.pieces) {
     const Triangle& triangle = surface.triangles[piece.triangle];
-    packed.push_back({.a = triangle[0],
-                      .b = triangle[1],
-                      .c = triangle[2],
-                      .object = surface.objectOfTriangle[piece.triangle],
+    packed.push_back({.a = triangle[0] | shared::setBit,
+                      .b = triangle[1] | shared::setBit,
+                      .c = triangle[2] | shared::setBit,
+                      .object = surface.objectOfTriangle[piece.triangle] | shared::setBit,
                       .v0 = piece.corners[0][0],
                       .w0 = piece.corners[0][1],
                       .v1 = piece.corners[1][0],
@@ -102,7 +102,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;
   surfels.pieces =
-      gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), surfelBuffer);
+      gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), roomUsage);
   if (keepsTriangles)
     surfels.triangleOfPiece =
         gpu::makeBuffer(device, "triangles of pieces", trianglesOf(made, linings), surfelBuffer);

@@ -60,10 +60,6 @@ struct FrameContext {
   passes::DeformedMesh& mesh;
   FrameResources& resources;
 
-  void deform(SceneMotion& motion) const {
-    motion.record(commands, passes.deform, plan.time, mesh);
-  }
-
   void changeMaterials(SceneResources& scene) const {
     if (!resources.materials) return;
     resources.materials->record(commands, plan.time, scene.opaque, resources.tables);
@@ -78,37 +74,48 @@ struct FrameContext {
 
   passes::CutOuts cutOuts(SceneResources& scene) const { return {resources.tables, scene.opaque}; }
 
+  // All that does not ask for light.
+  void findShape(SceneMotion& motion, SceneResources& scene) const {
+    motion.record(commands, passes.deform, plan.time, mesh);
+    if (sendsRays(plan)) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    if (usesClusters(plan))
+      passes.clusters.recordShape(commands,
+                                  {mesh, resources.tables, resources.sky, scene.surfels, scene.rays,
+                                   openingAngleOf(plan.tolerance), looksAround(plan)},
+                                  scene.clusters);
+  }
+
   void gather(SceneResources& scene) const {
-    if (!onSurfels() && !plan.map) return;
+    if (!onSurfels(plan) && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, cutOuts(scene), resources.shadows);
     // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
     // much of the sky is seen from clusters.
-    if (onSurfels())
+    if (onSurfels(plan))
       passes.surfels.gather(commands,
                             {resources.view, mesh, resources.tables, resources.shadows,
-                             resources.sky, usesClusters(), !plan.occludesSky},
+                             resources.sky, usesClusters(plan), !plan.occludesSky},
                             scene.surfels);
-    lookAround(scene);
-    if (onSurfels()) finishSurfels(scene);
+    findEntries(scene);
+    if (onSurfels(plan)) finishSurfels(scene);
     const bool occluded = plan.ambientOcclusion && plan.occludesSky;
     if (plan.map)
       passes.paper->gather(commands, onPaper(scene), occluded ? &scene.clusters : nullptr);
   }
 
-  void lookAround(SceneResources& scene) const {
-    const bool areaLights = onSurfels() && plan.areaLights > 0;
-    if (usesClusters() || areaLights) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
+  // much of the sky is seen from clusters.
+  void findEntries(SceneResources& scene) const {
+    const bool areaLights = onSurfels(plan) && plan.areaLights > 0;
     if (areaLights)
       passes.areaLights.record(commands,
                                {resources.view, mesh, resources.tables, scene.rays,
                                 plan.lights - plan.areaLights, plan.lights},
                                scene.surfels);
-    if (usesClusters())
-      passes.clusters.record(commands,
-                             {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
-                              scene.rays, openingAngleOf(plan.tolerance), areaLights},
-                             plan.bounces > 0 || plan.occludesSky || carriesOpaque(),
-                             scene.clusters);
+    if (usesClusters(plan))
+      passes.clusters.recordEntries(
+          commands,
+          {resources.view, mesh, resources.tables, resources.sky, scene.surfels, areaLights},
+          scene.clusters);
   }
 
   void finishSurfels(SceneResources& scene) const {
@@ -132,14 +139,7 @@ struct FrameContext {
   }
 
   bool boundary() const { return plan.transport == Transport::Boundary; }
-  bool onSurfels() const { return plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance); }
-  bool usesClusters() const {
-    return (boundary() && plan.scatter) || carriesOpaque() ||
-           (plan.occludesSky && (onSurfels() || plan.ambientOcclusion));
-  }
-
-  bool carriesOpaque() const { return plan.opaque && plan.sum != Sum::Pattern && plan.scatter; }
-  bool carries() const { return boundary() || carriesOpaque(); }
+  bool carries() const { return boundary() || carriesOpaque(plan); }
 
   passes::OpaquePass::Inputs ofOpaque() const {
     return {resources.view, resources.tables, resources.shadows};
@@ -150,7 +150,7 @@ struct FrameContext {
   }
 
   void giveBack(passes::OpaquePass::From from, SceneResources& scene) const {
-    if (carriesOpaque())
+    if (carriesOpaque(plan))
       passes.opaque.overClusters(commands, ofOpaque(), from, plan.bounces, scene.clusters);
   }
 
@@ -242,7 +242,7 @@ struct FrameContext {
     const passes::SurfelSumPass::Order how = order(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
       sumOver(vertices, plan.sum, how, scene);
-    if (carriesOpaque()) {
+    if (carriesOpaque(plan)) {
       passes.opaque.overVertices(commands, ofOpaque(), site(), vertices);
       if (plan.areaLights > 0 && plan.site != Site::Fragment)
         passes.opaqueLights.overVertices(commands, onOpaque(scene), site(), vertices);
@@ -285,7 +285,7 @@ struct FrameContext {
 
   void findSurfels(SceneResources& scene) const {
     // Clusters come with the rays, here or in the frame whose light is taken.
-    if (!usesClusters()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    if (!usesClusters(plan)) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
         commands,
@@ -320,7 +320,7 @@ struct FrameContext {
     } else if (atFragments()) {
       passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport), onPaper(scene));
     }
-    if (carriesOpaque()) {
+    if (carriesOpaque(plan)) {
       passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, site(), seen());
       using Side = passes::OpaqueLightsPass::Side;
       if (plan.areaLights > 0 && atFragments())
@@ -361,13 +361,13 @@ struct FrameContext {
         atFragments(), plan.specular, plan.mirrorsSky, plan.mirrorsBodies,
         // Jensen et al. 2001, Eq. 5.
         plan.transport == Transport::Dipole, leavesByOrigin(plan)};
-    if (plan.specular && (carriesOpaque() || plan.mirrorsBodies))
+    if (plan.specular && (carriesOpaque(plan) || plan.mirrorsBodies))
       passes.mirroredScene.record(commands,
                                   {resources.tables, scene.surfels, scene.rays, scene.clusters,
                                    plan.mirrorsBodies, boundary(), plan.roughness},
                                   firstRow, seen());
     passes.shade.record(commands, inputs, seen());
-    if (carriesOpaque()) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
+    if (carriesOpaque(plan)) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)
       passes.reflectedLights.record(
           commands, {resources.tables, scene.surfels, scene.rays, scene.opaque}, seen());
@@ -422,18 +422,17 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   assert(!plan.seenSurfels || plan.scatter || plan.irradiance);
   assert(!plan.irradiance || plan.centre);
   assert(plan.samples == 0 || plan.scatter);
+  assert(plan.light || !plan.shape);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.changeMaterials(scene);
-  if (plan.light) context.deform(motion);
+  if (plan.shape) context.findShape(motion, scene);
   context.fit(upload);
   if (plan.light) context.gather(scene);
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
-    else if (context.carriesOpaque())
+    else if (carriesOpaque(plan))
       context.giveBack(passes::OpaquePass::From::Lights, scene);
-    else if (plan.mirrorsSky && !context.usesClusters() && plan.areaLights == 0)
-      passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     context.scatterAtVertices(scene);
   }
 

@@ -59,6 +59,28 @@ FramePlan planFor(const RenderOptions& options, const FrameOrder& order, bool pi
       .environmentBehind = options.environmentBehind};
 }
 
+bool onSurfels(const FramePlan& plan) {
+  return plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance);
+}
+
+bool carriesOpaque(const FramePlan& plan) {
+  return plan.opaque && plan.sum != Sum::Pattern && plan.scatter;
+}
+
+bool usesClusters(const FramePlan& plan) {
+  return (plan.transport == Transport::Boundary && plan.scatter) || carriesOpaque(plan) ||
+         (plan.occludesSky && (onSurfels(plan) || plan.ambientOcclusion));
+}
+
+bool sendsRays(const FramePlan& plan) {
+  return usesClusters(plan) || (onSurfels(plan) && plan.areaLights > 0) ||
+         (plan.scatter && plan.mirrorsSky);
+}
+
+bool looksAround(const FramePlan& plan) {
+  return usesClusters(plan) && (plan.bounces > 0 || plan.occludesSky || carriesOpaque(plan));
+}
+
 bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
   return !skyIsDark(lighting) && (plan.transport == Transport::Boundary || plan.ambientOcclusion);
 }

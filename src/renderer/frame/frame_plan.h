@@ -45,7 +45,19 @@ struct FramePlan {
   bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
   bool mirrorsBodies = false;  ///< in that of translucent surfaces, by their own light
   bool light = true;  ///< else the resources hold what this frame's light does, from before
+  bool shape = true;  ///< else they hold where everything lies; not without light
 };
+
+/// Whether light is found on surfels, what of it needs clusters, and whether it sends rays.
+bool onSurfels(const FramePlan& plan);
+bool usesClusters(const FramePlan& plan);
+bool sendsRays(const FramePlan& plan);
+
+/// Whether opaque bodies take light from others and give it back.
+bool carriesOpaque(const FramePlan& plan);
+
+/// Whether clusters ask what they see of each other and of the sky.
+bool looksAround(const FramePlan& plan);
 
 /// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
 /// is among the variables; `exitance`: that of vertices is.

@@ -7,6 +7,7 @@
 #include "opaline/render_options.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/light_reuse.h"
+#include "renderer/frame/shape_reuse.h"
 #include "renderer/scene/background_divider.h"
 #include "renderer/scene/edited_scene.h"
 #include "renderer/scene/scene_resources.h"
@@ -38,6 +39,8 @@ class PreparedScene {
   SceneChanges changes(const EditedScene& scene) const;
   /// Whose light the surfels hold.
   LightReuse& light() { return light_; }
+  /// Whose shape.
+  ShapeReuse& shape() { return shape_; }
 
   /// After the first frame.
   SceneResources& scene() { return *resources_; }
@@ -63,6 +66,7 @@ class PreparedScene {
   DivisionOrder wanted_;     // for these media
   BackgroundDivider divider_;
   LightReuse light_;
+  ShapeReuse shape_;
 };
 
 }  // namespace opaline

@@ -9,6 +9,7 @@
 #include "lib/bodies.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece.glsl"
 #include "lib/piece_material.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Pieces { SurfelPiece pieces[]; };
@@ -20,7 +21,7 @@ layout(push_constant) uniform Push {
 void main() {
   uint i = linearIndex();
   if (i >= pieceCount) return;
-  SurfelPiece piece = pieces[i];
+  SurfelPiece piece = withoutSetBits(pieces[i]);
   ObjectData body = objects[piece.object];
   if (!isOpaque(body)) return;
   OpaqueData material = opaques[mediumAt(body, vec3(0.0)).tables.y];

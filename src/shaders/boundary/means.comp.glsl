@@ -2,7 +2,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SOURCES 2
+#define BINDING_PIECES 1
 #include "lib/linear.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/surfel_area.glsl"
 #include "shared/boundary.h"
 
@@ -12,8 +14,7 @@ const uint fromPatches = 2u;
 layout(constant_id = 0) const uint from = fromVertices;
 
 layout(std430, set = 0, binding = 0) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Pieces { SurfelPiece pieces[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Exitances { vec4 exitances[]; };
+layout(set = 0, binding = 3) uniform samplerBuffer exitances;
 layout(std430, set = 0, binding = 4) writeonly buffer Means { vec4 means[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Patches { vec4 patches[]; };
 
@@ -22,15 +23,18 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
+vec3 exitanceAt(uint place) {
+  return texelFetch(exitances, int(place)).rgb;
+}
+
 // Interpolated in the middle of its pieces.
 vec3 atVertices(uint surfel) {
   vec3 sum = vec3(0.0);
   float parts = 0.0;
   for (uint p = surfel * piecesPerSurfel; p < (surfel + 1u) * piecesPerSurfel; ++p) {
-    SurfelPiece piece = pieces[p];
+    SurfelPiece piece = pieceAt(p);
     vec2 at = vec2(piece.v0 + piece.v1 + piece.v2, piece.w0 + piece.w1 + piece.w2) / 3.0;
-    sum += piece.fraction * ((1.0 - at.x - at.y) * exitances[piece.a].rgb +
-                             at.x * exitances[piece.b].rgb + at.y * exitances[piece.c].rgb);
+    sum += piece.fraction * ((1.0 - at.x - at.y) * exitanceAt(piece.a) + at.x * exitanceAt(piece.b) + at.y * exitanceAt(piece.c));
     parts += piece.fraction;
   }
   return parts > 0.0 ? sum / parts : vec3(0.0);
@@ -40,7 +44,7 @@ vec3 atVertices(uint surfel) {
 vec4 overSurfels(ClusterRange range) {
   vec4 sum = vec4(0.0);
   for (uint surfel = range.firstSurfel; surfel < range.endSurfel; ++surfel) {
-    vec3 exitance = from == fromVertices ? atVertices(surfel) : exitances[surfel].rgb;
+    vec3 exitance = from == fromVertices ? atVertices(surfel) : exitanceAt(surfel);
     sum += areaOfSurfel(surfel) * vec4(exitance, 1.0);
   }
   return sum;
@@ -49,7 +53,7 @@ vec4 overSurfels(ClusterRange range) {
 vec4 overPatches(ClusterRange range) {
   vec4 sum = vec4(0.0);
   for (uint i = range.firstPatch; i < range.firstPatch + patchesOf(range); ++i)
-    sum += patches[i].w * vec4(exitances[i].rgb, 1.0);
+    sum += patches[i].w * vec4(exitanceAt(i), 1.0);
   return sum;
 }
 

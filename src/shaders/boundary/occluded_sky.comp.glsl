@@ -48,7 +48,7 @@ Felt feltOf(uint leaf, vec3 middle, float radius) {
   its.near = distance(centroidLink.xyz, middle) <= reach + radius;
   its.place = vec4(centroidLink.xyz, 1.0 / max(reach * reach, 1e-30));
   // Few rays tell nothing of a bright part that they miss.
-  its.normalPeak = vec4(normalRadius.xyz, shareLight.w * peakOfCluster(reach, sqrt(pi) * normalRadius.w));
+  its.normalPeak = vec4(normalRadius.xyz, shareLight.w * peakOfCluster(reach, edgeOfDisc(normalRadius.w)));
   its.share = shareLight.rgb;
   return its;
 }

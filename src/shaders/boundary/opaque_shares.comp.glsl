@@ -7,15 +7,16 @@
 #define BINDING_MEDIA 1
 #define BINDING_OPAQUES 4
 #define BINDING_TEXELS 7
+#define BINDING_PIECES 3
 #include "lib/lesser.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/piece_material.glsl"
 #include "lib/pi.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Shares { OpaqueShare shares[]; };
 layout(std430, set = 0, binding = 9) readonly buffer ObjectOf { uint objectOf[]; };  // of vertices
 
@@ -38,7 +39,7 @@ void main() {
   uint end = range.kind == opaqueBody || isLining ? range.endSurfel * piecesPerSurfel : 0u;
   float area = 0.0;
   for (uint k = range.firstSurfel * piecesPerSurfel; k < end; ++k) {
-    SurfelPiece piece = pieces[k];
+    SurfelPiece piece = pieceAt(k);
     uint object = isLining ? objectOf[piece.a] : range.object;
     OpaqueData material = opaques[mediumAt(objects[object], vec3(0.0)).tables.y];
     SeenMaterial found = materialAt(material, placeOfPiece(piece, material));

@@ -1,7 +1,9 @@
 // The pieces of surfels where they lie in this frame, and boxes around those of each leaf.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_PIECES 3
 #include "lib/linear.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/rays.h"
 
@@ -9,8 +11,7 @@ layout(constant_id = 0) const uint forQueries = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(set = 0, binding = 2) uniform samplerBuffer positions;
 layout(std430, set = 0, binding = 4) writeonly buffer RayPieces { RayPiece rayPieces[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes { RayBox boxes[]; };
 
@@ -47,6 +48,10 @@ mat3 widened(mat3 corners, float byMm) {
   return corners;
 }
 
+vec3 positionOf(uint vertex) {
+  return texelFetch(positions, int(vertex)).xyz;
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= leafCount) return;
@@ -58,8 +63,8 @@ void main() {
   vec3 low = vec3(0.0);
   vec3 high = vec3(0.0);
   for (uint p = from; p < to; ++p) {
-    SurfelPiece piece = pieces[p];
-    mat3 triangle = mat3(positions[piece.a].xyz, positions[piece.b].xyz, positions[piece.c].xyz);
+    SurfelPiece piece = pieceAt(p);
+    mat3 triangle = mat3(positionOf(piece.a), positionOf(piece.b), positionOf(piece.c));
     mat3 corners =
         mat3(cornerAt(triangle, piece.v0, piece.w0), cornerAt(triangle, piece.v1, piece.w1),
              cornerAt(triangle, piece.v2, piece.w2));

@@ -4,16 +4,17 @@
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
+#define BINDING_PIECES 3
+#define BINDING_VERTICES 1
 #include "lib/frame.glsl"
 #include "lib/area_light.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/source_flux.glsl"
+#include "lib/vertex_at.glsl"
 #include "shared/surfels.h"
 
-layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Visibilities { uint visibilities[]; };
 layout(std430, set = 0, binding = 7) buffer Sources { Source sources[]; };
 
@@ -42,12 +43,12 @@ void add(uint source, vec3 irradiance) {
 const uint middlePoint = pointsPerPiece;
 
 vec3 irradianceOn(uint piece, uint point) {
-  PiecePlace place = placeOf(pieces[piece]);
+  PiecePlace place = placeOf(pieceAt(piece));
   vec2 at = point == middlePoint ? middleOf(place.corners) : pointOf(place.corners, point);
   vec3 position = positionAt(place, at);
   vec3 normal = normalAt(place, at);
   if (withNormals != 0u) normal = tiltedNormal(piece, place.along, place.across, normal);
-  MediumData medium = mediumAt(objects[pieces[piece].object], position);
+  MediumData medium = mediumAt(objects[pieceAt(piece).object], position);
   vec3 sum = vec3(0.0);
   for (uint light = firstAreaLight(); light < allLightsAt(position); ++light) {
     float visible = 0.0;
@@ -64,7 +65,7 @@ uint largestPiece(uint first, uint end) {
   uint largest = end;
   float area = 0.0;
   for (uint k = first; k < end; ++k) {
-    float its = placeOf(pieces[k]).area;
+    float its = placeOf(pieceAt(k)).area;
     if (its > area) {
       area = its;
       largest = k;

@@ -6,15 +6,16 @@
 #define BINDING_MEDIA 5
 #define BINDING_PIECE_CORNERS 6
 #define BINDING_RAYS 7
+#define BINDING_PIECES 3
+#define BINDING_VERTICES 1
 #include "lib/frame.glsl"
 #include "lib/area_shadow.glsl"
 #include "lib/lattice.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece_at.glsl"
+#include "lib/vertex_at.glsl"
 
-layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Visibilities { uint visibilities[]; };
 
 #include "lib/piece_place.glsl"
@@ -74,8 +75,8 @@ void main() {
   uint own = gl_LocalInvocationIndex / neighbours;
   if (gl_LocalInvocationIndex % neighbours == 0u) found[own] = 0u;
   barrier();
-  PiecePlace place = placeOf(pieces[there ? piece : 0u]);
-  ObjectData body = objects[pieces[there ? piece : 0u].object];
+  PiecePlace place = placeOf(pieceAt(there ? piece : 0u));
+  ObjectData body = objects[pieceAt(there ? piece : 0u).object];
   uint first = 0u;
   for (uint i = 0u; there && i < pointsPerPiece; ++i) first |= askFirst(receiverAt(place, body, i), piece, i);
   atomicOr(found[own], first);

@@ -6,16 +6,17 @@
 #define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
 #define BINDING_SKY_IRRADIANCE 7
+#define BINDING_PIECES 3
+#define BINDING_VERTICES 1
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/source_flux.glsl"
 #include "lib/unit.glsl"
+#include "lib/vertex_at.glsl"
 #include "shared/surfels.h"
 
-layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfelNormals[]; };
 
@@ -57,7 +58,7 @@ vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
 // The unit normal of a piece on the side that its triangle's corners go around, of a sheet on the light's.
 vec3 keptSideOf(uint piece, PiecePlace place, IncidentLight light) {
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
-  return hasBack(objects[pieces[piece].object]) && dot(outside, light.direction) < 0.0 ? -outside : outside;
+  return hasBack(objects[pieceAt(piece).object]) && dot(outside, light.direction) < 0.0 ? -outside : outside;
 }
 
 float visibilityOn(vec3 position, vec3 outside, IncidentLight light) {
@@ -70,7 +71,7 @@ void keepLight(uint piece, PiecePlace place, vec3 position, uint k, uint point) 
 }
 
 void keepVisibility(uint piece) {
-  PiecePlace place = placeOf(pieces[piece]);
+  PiecePlace place = placeOf(pieceAt(piece));
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec3 position = positionAt(place, pointOf(place.corners, i));
     for (uint k = 0u; k < lightsAt(position); ++k)
@@ -84,7 +85,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   vec3 position = positionAt(place, at);
   vec3 normal = normalOf(piece, place, at);
   vec3 outside = outsideOf(facetOf(place), normal);
-  MediumData medium = mediumAt(objects[pieces[piece].object], position);
+  MediumData medium = mediumAt(objects[pieceAt(piece).object], position);
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < lightsAt(position); ++k) {
     IncidentLight light = incidentLight(k, position);
@@ -103,7 +104,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
 vec3 irradianceOn(uint piece, PiecePlace place, vec2 at) {
   vec3 position = positionAt(place, at);
   vec3 normal = normalOf(piece, place, at);
-  MediumData medium = mediumAt(objects[pieces[piece].object], position);
+  MediumData medium = mediumAt(objects[pieceAt(piece).object], position);
   if (withNormals != 0u) {
     vec3 lights = evenness(piece) * lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
     return takesSky != 0u ? lights + skyIrradianceAt(normal, medium) : lights;
@@ -121,7 +122,7 @@ vec2 somewhereOn(PiecePlace place, uint surfel) {
 }
 
 void gatherPiece(uint surfel) {
-  PiecePlace place = placeOf(pieces[surfel]);
+  PiecePlace place = placeOf(pieceAt(surfel));
   vec2 middle = middleOf(place.corners);
   for (uint i = 0u; i < sourcesPerSurfel; ++i) {
     put(sourcesPerSurfel * surfel + i, positionAt(place, pointOf(place.corners, i)),
@@ -143,9 +144,9 @@ void gatherPieces(uint surfel) {
     vec3 byArea = vec3(0.0);
     float largestArea = 0.0;
     uint largest = first;
-    vec3 somewhere = positions[pieces[surfel * piecesPerSurfel].a].xyz;
+    vec3 somewhere = positionOf(pieceAt(surfel * piecesPerSurfel).a);
     for (uint k = first; k < end; ++k) {
-      SurfelPiece piece = pieces[surfel * piecesPerSurfel + k];
+      SurfelPiece piece = pieceAt(surfel * piecesPerSurfel + k);
       PiecePlace place = placeOf(piece);
       vec2 middle = middleOf(place.corners);
       area += place.area;
@@ -163,7 +164,7 @@ void gatherPieces(uint surfel) {
     vec3 irradiance = vec3(0.0);
     if (largestArea > 0.0) {
       uint piece = surfel * piecesPerSurfel + largest;
-      PiecePlace place = placeOf(pieces[piece]);
+      PiecePlace place = placeOf(pieceAt(piece));
       irradiance = irradianceOn(piece, place, middleOf(place.corners));
     }
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);

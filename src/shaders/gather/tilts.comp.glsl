@@ -5,12 +5,13 @@
 #define BINDING_MEDIA 1
 #define BINDING_OPAQUES 3
 #define BINDING_TEXELS 6
+#define BINDING_PIECES 2
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
 #include "lib/piece.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/piece_material.glsl"
 
-layout(std430, set = 0, binding = 2) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 7) readonly buffer TriangleOfPiece { uint triangleOfPiece[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Tilts { vec4 tilts[]; };
 
@@ -19,7 +20,7 @@ layout(push_constant) uniform Push {
 };
 
 vec4 tiltOf(uint i, OpaqueData material) {
-  SurfelPiece piece = pieces[i];
+  SurfelPiece piece = pieceAt(i);
   vec3 told = toldNormal(material, placeOfPiece(piece, material));
   float size = clamp(length(told), 1e-3, 1.0);
   told = unitOr(vec3(material.specularColor.w * told.xy, told.z), vec3(0.0, 0.0, 1.0));
@@ -35,7 +36,7 @@ vec4 tiltOf(uint i, OpaqueData material) {
 void main() {
   uint i = linearIndex();
   if (i >= pieceCount) return;
-  MediumData medium = mediumAt(objects[pieces[i].object], vec3(0.0));
+  MediumData medium = mediumAt(objects[pieceAt(i).object], vec3(0.0));
   OpaqueData material = opaques[medium.tables.y];
   bool wanted = hasOwnSurface(medium) && isThere(material.normalTexture);
   tilts[i] = wanted ? tiltOf(i, material) : vec4(0.0);

@@ -11,12 +11,13 @@
 #include "shared/medium.h"
 #include "shared/paint.h"
 
-layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
-layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
+// As texels: Mesa's software device reads storage word by word.
+layout(set = 0, binding = BINDING_CLUSTERS) uniform samplerBuffer clusters;  // Cluster
+layout(set = 0, binding = BINDING_EXITANCES) uniform samplerBuffer exitances;
+layout(set = 0, binding = BINDING_MEANS) uniform samplerBuffer means;
 
 #ifdef BINDING_NEARBY
-layout(std430, set = 0, binding = BINDING_NEARBY) readonly buffer Nearby { vec4 nearby[]; };
+layout(set = 0, binding = BINDING_NEARBY) uniform samplerBuffer nearby;
 #endif
 
 // Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
@@ -32,13 +33,13 @@ layout(std430, set = 0, binding = BINDING_BARE_LIGHTS) readonly buffer BareLight
 vec3 enteredAround = vec3(0.0);
 
 vec3 exitanceOfCluster(uint i, bool painted, float weight) {
-  if (withPaint == 0u || !painted) return exitances[i].rgb;
+  if (withPaint == 0u || !painted) return texelFetch(exitances, int(i)).rgb;
   enteredAround += weight * bareLights[i].entered.rgb;
   return bareLights[i].exitance.rgb;
 }
 #else
 vec3 exitanceOfCluster(uint i, bool painted, float weight) {
-  return exitances[i].rgb;
+  return texelFetch(exitances, int(i)).rgb;
 }
 #endif
 
@@ -88,17 +89,18 @@ Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium
       bool opened = squared < reach * reach;
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
-        float edge = edgeOf(clusters[i]);
-        float weight = weightOfCluster(squared, reach, edge, dot(normal, clusters[i].normal.xyz));
+        vec4 normalRadius = texelFetch(clusters, 7 * int(i) + 1);
+        float edge = edgeOfDisc(normalRadius.w);
+        float weight = weightOfCluster(squared, reach, edge, dot(normal, normalRadius.xyz));
         all += weight;
-        weight *= clusters[i].second.w;  // 0 without inside
+        weight *= texelFetch(clusters, 7 * int(i) + 6).w;  // 0 without inside
         exitance += weight * exitanceOfCluster(i, painted, weight);
-        mean += weight * means[i].rgb;
+        mean += weight * texelFetch(means, int(i)).rgb;
         edges += weight * edge;
         inside += weight;
 #ifdef BINDING_NEARBY
-        around.origin += weight * nearby[i];
-        around.normals += weight * clusters[i].normal.xyz;
+        around.origin += weight * texelFetch(nearby, int(i));
+        around.normals += weight * normalRadius.xyz;
         around.squares += weight * squared;
 #endif
       }

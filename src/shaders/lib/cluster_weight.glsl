@@ -10,9 +10,13 @@ const float leastFacing = 1e-4;
 // Clusters whose reach is more than that many of their edges have their surfels far apart.
 const float scatteredInEdges = 3.4;
 
-// Edge of a cluster as a square, mm.
+// Edge of a cluster as a square, mm, by that of it as a disc.
+float edgeOfDisc(float radius) {
+  return sqrt(pi) * radius;
+}
+
 float edgeOf(Cluster cluster) {
-  return sqrt(pi) * cluster.normal.w;
+  return edgeOfDisc(cluster.normal.w);
 }
 
 // How much a cluster counts at its middle. Clusters that are scattered over their reach, a few surfels left

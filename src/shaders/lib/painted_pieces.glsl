@@ -4,9 +4,9 @@
 #define OPALINE_LIB_PAINTED_PIECES
 #include "lib/material.glsl"
 #include "lib/paint_table.glsl"
+#include "lib/piece_at.glsl"
 #include "lib/piece_material.glsl"
 
-layout(std430, set = 0, binding = BINDING_PIECES) readonly buffer Pieces { SurfelPiece pieces[]; };
 
 // False, and nothing found, where none of them has an area.
 bool meanPaint(MediumData medium, uint first, uint end, out PaintEntry mean) {
@@ -14,7 +14,7 @@ bool meanPaint(MediumData medium, uint first, uint end, out PaintEntry mean) {
   mean = PaintEntry(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   float area = 0.0;
   for (uint k = first; k < end; ++k) {
-    SurfelPiece piece = pieces[k];
+    SurfelPiece piece = pieceAt(k);
     if (piece.areaMm2 <= 0.0) continue;
     PaintEntry found = paintOf(medium, baseColorAt(material, placeOfPiece(piece, material)).rgb);
     mean.thickness += piece.areaMm2 * found.thickness;

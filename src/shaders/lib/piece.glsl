@@ -3,6 +3,15 @@
 #define OPALINE_LIB_PIECE
 #include "shared/surfels.h"
 
+// As its numbers are kept, see SurfelPiece.
+SurfelPiece withoutSetBits(SurfelPiece piece) {
+  piece.a &= ~setBit;
+  piece.b &= ~setBit;
+  piece.c &= ~setBit;
+  piece.object &= ~setBit;
+  return piece;
+}
+
 mat3x2 cornersOf(SurfelPiece piece) {
   return mat3x2(piece.v0, piece.w0, piece.v1, piece.w1, piece.v2, piece.w2);
 }

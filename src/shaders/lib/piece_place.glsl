@@ -17,11 +17,11 @@ struct PiecePlace {
 
 PiecePlace placeOf(SurfelPiece piece) {
   PiecePlace place;
-  place.origin = positions[piece.a].xyz;
-  place.along = positions[piece.b].xyz - place.origin;
-  place.across = positions[piece.c].xyz - place.origin;
-  place.itsNormals = mat3(normals[piece.a].xyz, normals[piece.b].xyz, normals[piece.c].xyz);
-  place.side = normals[piece.a].w;
+  place.origin = positionOf(piece.a);
+  place.along = positionOf(piece.b) - place.origin;
+  place.across = positionOf(piece.c) - place.origin;
+  place.itsNormals = mat3(normalOf(piece.a).xyz, normalOf(piece.b).xyz, normalOf(piece.c).xyz);
+  place.side = normalOf(piece.a).w;
   place.corners = cornersOf(piece);
   place.area = 0.5 * length(cross(place.along, place.across)) * max(piece.fraction, 0.0);
   return place;

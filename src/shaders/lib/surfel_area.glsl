@@ -3,12 +3,12 @@
 #define OPALINE_LIB_SURFEL_AREA
 #include "shared/surfels.h"
 
-layout(std430, set = 0, binding = BINDING_SOURCES) readonly buffer Sources { Source sources[]; };
+layout(set = 0, binding = BINDING_SOURCES) uniform samplerBuffer sources;  // Source
 
 // mm²
 float areaOfSurfel(uint surfel) {
   float area = 0.0;
-  for (uint s = 0u; s < sourcesPerSurfel; ++s) area += sources[sourcesPerSurfel * surfel + s].positionArea.w;
+  for (uint s = 0u; s < sourcesPerSurfel; ++s) area += texelFetch(sources, 2 * int(sourcesPerSurfel * surfel + s)).w;
   return area;
 }
 

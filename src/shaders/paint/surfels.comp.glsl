@@ -21,7 +21,7 @@ void main() {
   uint i = linearIndex();
   if (i >= surfelCount) return;
   uint first = i * piecesPerSurfel;
-  MediumData medium = mediumAt(objects[pieces[first].object], vec3(0.0));
+  MediumData medium = mediumAt(objects[pieceAt(first).object], vec3(0.0));
   PaintEntry mean;
   bool found = isPainted(medium) && meanPaint(medium, first, first + piecesPerSurfel, mean);
   through[i] = found ? mean.entering : vec4(1.0);

@@ -15,9 +15,12 @@ using glm::vec4;
 #define OPALINE_SURFEL_CONSTANT const uint
 #endif
 
+/// Whole numbers with it that are read as floats are normal numbers, which no device changes.
+OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
+
 /// A part of a triangle, the same part however the triangle is deformed.
 struct SurfelPiece {
-  uint a;  // vertices of the triangle
+  uint a;  // vertices of the triangle; this and the object with setBit
   uint b;
   uint c;
   uint object;
@@ -66,9 +69,8 @@ struct NodeBox {
 
 /// A node's link: leaves have leafBit, their number of surfels less one from bit leafCountShift,
 /// and their first surfel below; inner nodes the index of the node after all that are below them.
-/// All have setBit: read as floats they are normal numbers, which no device changes.
+/// All have setBit.
 OPALINE_SURFEL_CONSTANT leafBit = 0x80000000u;
-OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
 OPALINE_SURFEL_CONSTANT leafCountShift = 26u;
 
 #ifdef __cplusplus

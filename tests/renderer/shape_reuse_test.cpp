@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/renderer_fixture.h"
+#include "renderer/wobbly_ball.h"
+
+namespace opaline::test {
+namespace {
+
+bool runs(const View& view, const char* pass) {
+  const std::vector<PassTime> passes = view.report().passes;
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const PassTime& time) { return time.name == pass; });
+}
+
+Lighting turned(Lighting lighting) {
+  std::swap(lighting.directional[0].directionToLight[0],
+            lighting.directional[0].directionToLight[2]);
+  return lighting;
+}
+
+struct Change {
+  const char* name;
+  std::function<void(Renderer&, View&)> make;
+  bool movesShape;
+};
+
+std::vector<Change> changes() {
+  return {
+      {"a light turns",
+       [](Renderer& r, View&) { r.setLighting(turned(wobblyBall().lighting)); }, false},
+      {"a light goes",
+       [](Renderer& r, View&) {
+         Lighting lighting = wobblyBall().lighting;
+         lighting.directional.clear();
+         lighting.points = {{{30, 20, 10}, {500, 400, 300}}};
+         r.setLighting(lighting);
+       },
+       false},
+      {"an area light comes",
+       [](Renderer& r, View&) {
+         Lighting lighting = wobblyBall().lighting;
+         lighting.areas = {AreaLight{SphereLight{.centreMm = {0, 60, 0}, .radiusMm = 5}}};
+         r.setLighting(lighting);
+       },
+       false},
+      {"the sky changes",
+       [](Renderer& r, View&) {
+         Lighting lighting = wobblyBall().lighting;
+         Image sky(16, 8);
+         for (std::size_t i = 0; i < sky.rgba.size(); ++i)
+           sky.rgba[i] = 0.01F * static_cast<float>(i % 97);
+         lighting.environment = std::make_shared<const Image>(std::move(sky));
+         r.setLighting(lighting);
+       },
+       true},
+      {"a medium changes",
+       [](Renderer& r, View&) {
+         Medium medium = wobblyBall().objects[0].medium;
+         medium.sigmaAPerMm = {0.3, 0.2, 0.1};
+         r.setMedium(0, medium);
+       },
+       true},
+      {"a deformer changes",
+       [](Renderer& r, View&) {
+         std::vector<Deformer> deformers = wobblyBall().deformers;
+         deformers[0].amount = -1;
+         r.setDeformers(deformers);
+       },
+       true},
+      {"time passes", [](Renderer& r, View&) { r.setTime({.seconds = 0.4}); }, true},
+      {"the tolerance changes",
+       [](Renderer&, View& v) {
+         RenderOptions options = v.options();
+         options.tolerance = 0.05F;
+         v.setOptions(options);
+       },
+       true},
+      {"bounces go",
+       [](Renderer&, View& v) {
+         RenderOptions options = v.options();
+         options.bounces = 0;
+         v.setOptions(options);
+       },
+       true},
+  };
+}
+
+using ShapeReuseTest = RendererTest;
+
+// The picture is, bit for bit, that of a renderer which finds everything.
+TEST_F(ShapeReuseTest, WhatALightDoesNotMoveIsKept) {
+  for (const Change& change : changes()) {
+    SCOPED_TRACE(change.name);
+    renderer().setScene(wobblyBall());
+    renderer().setTime({});
+    View view(renderer(), optionsOf(methods[0]));
+    view.render();
+    ASSERT_TRUE(runs(view, "deform"));
+    change.make(renderer(), view);
+    const Image kept = view.render({.reuseLight = true}).images[0];
+    EXPECT_EQ(runs(view, "deform"), change.movesShape);
+    EXPECT_TRUE(runs(view, "shadow"));
+    const Image whole = view.render().images[0];
+    EXPECT_TRUE(runs(view, "deform"));
+    EXPECT_EQ(kept.rgba, whole.rgba);
+  }
+}
+
+// Views of one division have one shape.
+TEST_F(ShapeReuseTest, AnotherViewMayHaveFoundIt) {
+  renderer().setScene(wobblyBall());
+  View first(renderer(), optionsOf(methods[0]));
+  View second(renderer(), optionsOf(methods[0]));
+  const Image whole = second.render().images[0];
+  first.render({.reuseLight = true});
+  EXPECT_FALSE(runs(first, "deform"));
+  renderer().setLighting(turned(wobblyBall().lighting));
+  first.render({.reuseLight = true});
+  EXPECT_FALSE(runs(first, "deform"));
+  renderer().setLighting(wobblyBall().lighting);
+  EXPECT_EQ(second.render({.reuseLight = true}).images[0].rgba, whole.rgba);
+}
+
+}  // namespace
+}  // namespace opaline::test
