@@ -247,6 +247,7 @@ struct Clusters {
   gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
   gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;  ///< shared::BeamNode, two trees a light
+  std::uint32_t mostNodesOfBody = 0;  ///< of the tree
   std::uint32_t roomOfBeamList = 0;
   gpu::Buffer beamLists;      ///< of each tree and group: how many nodes, and which
   gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end

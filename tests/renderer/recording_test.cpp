@@ -195,5 +195,37 @@ TEST_F(FrameRecordingTest, ADefaultFrameHasFewCommands) {
   }
 }
 
+// Boxes of 1 mm, 2 mm apart.
+RenderReport reportOfBoxes(int edge) {
+  Scene scene = sceneOf(box({0, 0, 0}, {0.5F, 0.5F, 0.5F}, 1), marble(), {0, 0, 40}, 20);
+  const Object first = scene.objects.front();
+  scene.objects.clear();
+  for (int i = 0; i < edge * edge * edge; ++i) {
+    const Vec3 place{static_cast<float>(i % edge), static_cast<float>(i / edge % edge),
+                     static_cast<float>(i / (edge * edge))};
+    scene.objects.push_back(first);
+    for (Vec3& corner : scene.objects.back().mesh.positionsMm)
+      for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] += 2 * place[axis];
+  }
+  Renderer& renderer = *sharedRenderer().renderer;
+  renderer.setScene(scene);
+  RenderOptions options;
+  options.width = options.height = 16;
+  options.shadowSize = 64;
+  options.maxSurfels = 16384;
+  View view(renderer, options);
+  return view.render().report;
+}
+
+// How much work lists have room for is a matter of each body, not of how many there are.
+TEST_F(FrameRecordingTest, ManyBodiesTakeNoMoreThanFewer) {
+  const RenderReport fewer = reportOfBoxes(7);
+  const RenderReport many = reportOfBoxes(11);
+  EXPECT_EQ(many.transport, Transport::Boundary);
+  EXPECT_GE(many.clusters, 1331U);
+  EXPECT_LE(many.dispatches, fewer.dispatches);
+  EXPECT_LE(many.barriers, fewer.barriers);
+}
+
 }  // namespace
 }  // namespace opaline::test

@@ -148,9 +148,9 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
                       Beams& beams, bool adds) const {
   const bool scattersOnce = inputs.tables.followsLight;
   fitNodes(commands, inputs.tables, clusters, beams);
-  // In parts for which lists have room.
+  // In parts of each body's nodes for which lists have room.
   const std::uint32_t room = clusters.roomOfBeamList;
-  for (std::uint32_t from = 0; from < clusters.tree.nodeCount; from += room) {
+  for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
     listActing(commands, from, inputs, clusters, beams);
     const Part part{.isFirst = from == 0, .adds = adds || from > 0};
     sum(commands, source_, clusters.sources, part, inputs, clusters, beams);

@@ -17,6 +17,14 @@ namespace opaline::passes {
 
 namespace {
 
+std::uint32_t mostNodesOfBody(const surfels::ClusterDivision& made) {
+  const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
+  std::uint32_t most = 0;
+  for (std::size_t object = 0; object + 1 < roots.size(); ++object)
+    most = std::max(most, roots[object + 1] - roots[object]);
+  return most;
+}
+
 // Room of a list of nodes that act on a group. Bodies of more nodes are summed in several
 // dispatches, so that the lists of all groups take no more than 64 MiB.
 std::uint32_t roomOfBeamList(std::uint32_t nodes, std::size_t groups) {
@@ -242,7 +250,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.sums = zeros("sums of mirrored light", 4 * count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", trees * nodes);
-  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, trees * groups.size());
+  clusters.mostNodesOfBody = mostNodesOfBody(made);
+  clusters.roomOfBeamList = roomOfBeamList(clusters.mostNodesOfBody, trees * groups.size());
   clusters.beamLists =
       makeRoom<std::uint32_t>(device, "lists of points",
                               trees * groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));

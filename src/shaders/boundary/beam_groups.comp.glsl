@@ -23,7 +23,7 @@ layout(push_constant) uniform Push {
   uint lights;
   uint nodeCount;  // of a tree
   uint room;       // of a list
-  uint firstNode;
+  uint firstNode;  // of a body's, for each
   uint endNode;
 };
 
@@ -94,8 +94,8 @@ void main() {
   around = aroundGroup();
   sigma = scattersOnce ? 0.0 : leastOf(medium.sigma.rgb);
   reachMm = scattersOnce ? furthestFreePaths / leastOf(medium.collision.rgb) : 1e18;
-  uint begin = max(body.clusters.x, firstNode);
-  uint nodes = max(min(body.clusters.y, endNode), begin) - begin;
+  uint begin = min(body.clusters.x + firstNode, body.clusters.y);
+  uint nodes = min(body.clusters.x + endNode, body.clusters.y) - begin;
   uint i = gl_LocalInvocationIndex;
   sliceBegin = begin + nodes * i / gl_WorkGroupSize.x;
   sliceEnd = begin + nodes * (i + 1u) / gl_WorkGroupSize.x;
