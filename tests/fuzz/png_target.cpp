@@ -1,5 +1,5 @@
-#include "loading.h"
 #include "opaline/image_file.h"
+#include "reading.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace opaline;

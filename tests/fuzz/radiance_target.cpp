@@ -1,7 +1,7 @@
 #include <span>
 
 #include "core/hdr_readers.h"
-#include "loading.h"
+#include "reading.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace opaline;

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/texture_file.h"
-#include "loading.h"
+#include "reading.h"
 
 // PNG, JPEG or WebP.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,6 +3,7 @@
 // fresh renderer makes the same picture, bit for bit.
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,6 +32,12 @@ double residentMegabytes() {
   double pages = 0;
   file >> pages >> pages;
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// What is allocated and not freed, whatever the allocator keeps beside it.
+double allocatedMegabytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
 }
 
 std::size_t openFiles() {
@@ -164,7 +171,8 @@ int run(std::uint64_t frames, std::uint32_t seed) {
       if (i % step == 0) {
         soak.compare();
         ++compared;
-        fmt::print(stderr, "{} of {} frames, {:.0f} MB\n", i, frames, residentMegabytes());
+        fmt::print(stderr, "{} of {} frames, {:.0f} MB, {:.0f} MB of it allocated\n", i, frames,
+                   residentMegabytes(), allocatedMegabytes());
       }
     } catch (const std::exception& error) {
       fmt::print("frame {} of seed {}: {}\n", i, seed, error.what());
