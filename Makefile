@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz hostile faults properties soak package package-check install python wheel blender dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz hostile faults properties soak endurance package package-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -34,6 +34,7 @@ help:
 	@echo 'make faults    every Vulkan call and allocation of a scene and of a frame fails once: an hour; STRIDE=10 tries every tenth'
 	@echo 'make properties  what holds of every scene, of a thousand drawn at random; SCENES=100 SEED=7 draws others'
 	@echo 'make soak      a million small frames with random edits; FRAMES=10000 SEED=2 makes others'
+	@echo 'make endurance  the window for an hour of random input, and its memory; MINUTES=10 SEED=2 makes others'
 	@echo 'make install   library, program, pages and Python module into PREFIX=folder'
 	@echo 'make python    the Python module, into the virtual environment at hand, or PREFIX=folder'
 	@echo 'make wheel     the Python module as a wheel in build/release/'
@@ -151,6 +152,11 @@ package-check: dependencies
 	cmake --preset library -B build/shared -DBUILD_SHARED_LIBS=ON $(LAUNCHER)
 	cmake --build build/shared
 	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test same_pictures_test
+
+endurance: configure
+	cmake --build --preset release --target opaline fault_layer
+	cd tests/viewer && OPALINE=$(CURDIR)/$(OPALINE) OPALINE_MINUTES=$(or $(MINUTES),60) OPALINE_SEED=$(or $(SEED),7) \
+	  PYTHONPATH=../cli $(PYTHON) -m unittest endurance_test
 
 install: configure
 	cmake --build --preset release --target opaline opaline_library opaline_python

@@ -28,7 +28,6 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   hostPaper_.clear();
   divided_ = false;
   coarseView_.reset();
-  shown_ = &view_;
   restMs_ = 0;
   restSurfels_ = 0;
   try {
@@ -77,13 +76,13 @@ void Stage::collect() {
   if (apart_) (own ? hostPicture_ : hostPaper_).set(frame.images.front());
   if (!own) return;
   ++framesFinished_;
-  shown_ = done.view;
+  report_ = done.view->report();
   variable_ = done.variable;
   const auto lights = [](const PassTime& pass) { return pass.name == "shadow"; };
   if (resting_ && done.view == &view_ &&
       std::any_of(frame_.passes.begin(), frame_.passes.end(), lights)) {
     restMs_ = frame_.milliseconds;
-    restSurfels_ = view_.report().sources;
+    restSurfels_ = report_.sources;
   }
 }
 

@@ -57,7 +57,8 @@ class Stage {
   Aov variable() const { return variable_; }
   const Image* variableImage() const;
   std::size_t framesFinished() const { return framesFinished_; }
-  RenderReport report() const { return shown_->report(); }
+  /// Of that frame, also where it was of a scene that is gone by now.
+  const RenderReport& report() const { return report_; }
 
  private:
   struct Waiting {
@@ -77,7 +78,6 @@ class Stage {
   bool divided_ = false;
   View view_;
   std::optional<View> coarseView_;  // on a coarse division; none until something moves
-  View* shown_ = &view_;            // which of them made the last frame that finished
   std::optional<View> paper_;       // of the paper's method; none until the session is divided
   DeviceImage picture_;
   DeviceImage paperPicture_;
@@ -85,6 +85,7 @@ class Stage {
   HostPicture hostPaper_;
   QueueWatch watch_;  // of the frames under way
   Frame frame_;
+  RenderReport report_;
   Frame other_;  // of the paper's method
   Aov variable_ = Aov::Radiance;
   std::vector<Waiting> waiting_;  // frames under way, oldest first
