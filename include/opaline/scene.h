@@ -157,6 +157,8 @@ struct Lighting {
   /// Null: no environment. Copies share it and it never changes: another picture is another object.
   /// Up to four suns in it cast shadows, and count for neither limit above.
   std::shared_ptr<const Image> environment;
+
+  bool operator==(const Lighting&) const = default;
 };
 
 /// A pinhole camera, or an orthographic one.

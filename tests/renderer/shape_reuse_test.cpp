@@ -127,5 +127,30 @@ TEST_F(ShapeReuseTest, AnotherViewMayHaveFoundIt) {
   EXPECT_EQ(second.render({.reuseLight = true}).images[0].rgba, whole.rgba);
 }
 
+// A clip that moves no vertex, and what of a frame it makes anew.
+TEST_F(ShapeReuseTest, TimeThatMovesLightsOrTheCameraAloneKeepsTheShape) {
+  Scene scene = wobblyBall();
+  scene.deformers.clear();
+  scene.clips = {{"go", 1, {}}};
+  const auto atHalfTime = [&](const ClipChanges& changes, bool movesLight) {
+    scene.changes = {changes};
+    renderer().setScene(scene);
+    View view(renderer(), optionsOf(methods[0]));
+    const Image before = view.render({.reuseLight = true}).images[0];
+    renderer().setTime({.seconds = 0.5});
+    const Image kept = view.render({.reuseLight = true}).images[0];
+    EXPECT_FALSE(runs(view, "deform"));
+    EXPECT_EQ(runs(view, "shadow"), movesLight);
+    EXPECT_NE(kept.rgba, before.rgba);
+    EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
+  };
+  Camera aside = scene.camera;
+  aside.positionMm[0] += 9;
+  atHalfTime({.cameras = {{0, {0, 1}, {scene.camera, aside}}}}, false);
+  const DirectionalLight light = scene.lighting.directional[0];
+  const DirectionalLight brighter{light.directionToLight, {9, 9, 9}};
+  atHalfTime({.directional = {{0, {0, 1}, {light, brighter}}}}, true);
+}
+
 }  // namespace
 }  // namespace opaline::test

@@ -65,7 +65,7 @@ void FilmJob::step(Renderer& renderer, std::size_t frames,
                    const std::function<void(const FilmProgress&)>& progress) {
   assert(!done_);
   if (!view_) view_.emplace(renderer, order_.options);
-  const FrameOrder order{.aovs = {order_.aov}};
+  const FrameOrder order{.aovs = {order_.aov}, .reuseLight = true};
   FramesUnderWay underWay(*view_);
   const auto showProgress = [&] {
     if (progress) progress(this->progress());

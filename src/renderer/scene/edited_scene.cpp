@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "deform/deformed_vertices.h"
 #include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
+#include "renderer/motion/material_motion.h"
 #include "renderer/scene/scene_origin.h"
 #include "scene/changes.h"
 
@@ -74,8 +76,16 @@ const Camera& EditedScene::camera() const {
   return camera_;
 }
 
+// Where nothing moves but lights and the camera, what lies where stays.
+bool EditedScene::movesWithTime() const {
+  const auto hangsOnNodes = [](const Object& object) { return object.rig.has_value(); };
+  return !scene_->deformers.empty() || MaterialMotion::isNeeded(*scene_) ||
+         std::any_of(scene_->objects.begin(), scene_->objects.end(), hangsOnNodes);
+}
+
 void EditedScene::followClip() {
   addSuns(scene_->lighting, suns_, next_);
+  if (next_ != lighting_) ++changes_.lights;
   std::swap(lighting_, next_);
   next_.environment.reset();
   camera_ = scene_->camera;
@@ -177,7 +187,7 @@ void EditedScene::setTime(const SceneTime& time) {
   deform::requireTime(scene(), time);
   if (time == time_) return;
   time_ = time;
-  ++changes_.pose;
+  if (movesWithTime()) ++changes_.pose;
   if (!scene_->changes.empty()) followClip();
 }
 

@@ -77,6 +77,7 @@ class EditedScene {
   /// `all`: as the clip has those that are the scene's, with the suns of the environment, and
   /// without what the ground hides.
   void addSuns(const Lighting& given, const Suns& suns, Lighting& all) const;
+  bool movesWithTime() const;
   void followClip();
 
   std::uint64_t number_ = 0;
