@@ -78,6 +78,9 @@ class Blender(BlenderTest):
     def test_shapes_and_instances_look_as_in_cycles(self):
         self.run_inside("shapes")
 
+    def test_cameras_view_layers_and_units_decide_what_cycles_shows(self):
+        self.run_inside("views")
+
     def test_pictures_on_inputs_look_as_in_cycles(self):
         self.run_inside("textures")
 

@@ -7,7 +7,7 @@ import numpy as np
 from .live import LiveRenderer
 from .notes import Notes
 from .reading import camera, snapshot
-from . import units
+from . import pixels, units
 
 # From frame to frame of an animation, by scene: its renderer, and what has been said of it.
 _live = {}
@@ -129,7 +129,8 @@ class FinalRender:
         self._say(notes, session)
         size = part[2] - part[0], part[3] - part[1]
         wanted = self._wanted()
-        frame = _on_a_thread(lambda: self._pictures(session, seen, size, wanted, view), self._engine.test_break)
+        drawn = pixels.square_size(*size, matrices[1])
+        frame = _on_a_thread(lambda: self._pictures(session, seen, drawn, wanted, view), self._engine.test_break)
         self._give(frame, size, mm_per_unit)
 
     def _wanted(self):
@@ -178,7 +179,9 @@ class FinalRender:
             into = passes.get(name)
             if into is None:
                 continue
-            values = np.ascontiguousarray(picture, dtype=np.float32)
+            # Between two depths or two normals there is none.
+            fitted = pixels.nearest if name in ("Depth", "Normal") else pixels.averaged
+            values = np.ascontiguousarray(fitted(picture, *size), dtype=np.float32)
             if len(passes) == 1:
                 passes.foreach_set("rect", values.ravel())
             else:  # which foreach_set cannot tell apart

@@ -71,13 +71,21 @@ def lamp(kind, place=(0, 0, 1), energy=1, **settings):
     return aim(add(kind.title(), data, place))
 
 
+NEWER_NAMES = {"Subsurface": "Subsurface Weight", "Specular": "Specular IOR Level", "Emission": "Emission Color"}  # of 4.x
+
+
+def shader_input(shader, name):
+    """Of a Principled BSDF, by its name in 3.x."""
+    return shader.inputs[name if name in shader.inputs else NEWER_NAMES[name]]
+
+
 def material(name, medium=None, color=(0.8, 0.8, 0.8), **inputs):
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     shader = made.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (*color, 1)
     for key, value in inputs.items():
-        shader.inputs[key.replace("_", " ").title().replace("Ior", "IOR")].default_value = value
+        shader_input(shader, key.replace("_", " ").title().replace("Ior", "IOR")).default_value = value
     if medium:
         made.opaline.medium_item = medium
     return made

@@ -12,10 +12,14 @@ import common
 common.install(max_surfels=65536, max_clusters=4096)
 
 
+IS_NEWER = bpy.app.version >= (4, 0, 0)
+
+
 def stage(method, radius, weight=1.0, color=(0.8, 0.6, 0.4), base=(0.8, 0.6, 0.4)):
     scene = common.empty_scene(32)
     scene.opaline.samples = "4"
-    made = common.material("Slab", color=base, roughness=1.0, subsurface=weight, subsurface_radius=radius, subsurface_color=(*color, 1))
+    made = common.material("Slab", color=base, roughness=1.0, subsurface=weight, subsurface_radius=radius,
+                           **{"subsurface_scale": 1.0} if IS_NEWER else {"subsurface_color": (*color, 1)})
     made.node_tree.nodes["Principled BSDF"].subsurface_method = method
     slab = common.cube("Slab", 0.04, made)
     slab.location.z = -0.04
@@ -35,10 +39,11 @@ def compare(name, most):
     common.check(errors.max() < most, f"{name} differs by {errors}")
 
 
-for method, radius, most in (("RANDOM_WALK", (0.006, 0.004, 0.002), 0.05), ("RANDOM_WALK_FIXED_RADIUS", (0.03, 0.02, 0.01), 0.05),
+adjusted, fixed = ("RANDOM_WALK_SKIN", "RANDOM_WALK") if IS_NEWER else ("RANDOM_WALK", "RANDOM_WALK_FIXED_RADIUS")
+for method, radius, most in ((adjusted, (0.006, 0.004, 0.002), 0.05), (fixed, (0.03, 0.02, 0.01), 0.05),
                              ("BURLEY", (0.03, 0.02, 0.01), 0.1)):
     stage(method, radius)
     compare(method, most)
-# In 3.x the weight scales the radius and mixes two colours.
-stage("RANDOM_WALK_FIXED_RADIUS", (0.06, 0.04, 0.02), weight=0.5, color=(0.9, 0.3, 0.2), base=(0.7, 0.7, 0.4))
-compare("half of a weight", 0.05)
+if not IS_NEWER:  # whose weight scales the radius and mixes two colours
+    stage(fixed, (0.06, 0.04, 0.02), weight=0.5, color=(0.9, 0.3, 0.2), base=(0.7, 0.7, 0.4))
+    compare("half of a weight", 0.05)

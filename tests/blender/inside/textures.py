@@ -25,7 +25,7 @@ def stage(**inputs):
     common.lamp("SUN", (0.2, 0.1, 1), 3)
     shader = made.node_tree.nodes["Principled BSDF"]
     for name, value in inputs.items():
-        shader.inputs[name.replace("_", " ")].default_value = value
+        common.shader_input(shader, name.replace("_", " ")).default_value = value
     return made.node_tree, shader
 
 
@@ -67,7 +67,7 @@ def colors():
 def glow():
     tree, shader = stage(Base_Color=(0, 0, 0, 1), Emission_Strength=2.0)
     node = texture(tree, image("Glow", [[(0.9, 0.4, 0.1), (0, 0, 0)], [(0.1, 0.5, 0.9), (0.3, 0.3, 0.3)]], is_color=True))
-    tree.links.new(node.outputs["Color"], shader.inputs["Emission"])
+    tree.links.new(node.outputs["Color"], common.shader_input(shader, "Emission"))
     common.compare_with_cycles("emission")
 
 
