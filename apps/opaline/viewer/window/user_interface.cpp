@@ -155,8 +155,13 @@ void UserInterface::makeFonts() {
 }
 
 void UserInterface::uploadFonts() const {
+#if IMGUI_VERSION_NUM >= 19000
+  // Which submits commands of its own.
+  if (!ImGui_ImplVulkan_CreateFontsTexture()) check(VK_ERROR_UNKNOWN, "prepare its controls");
+#else
   runOnce(device_, ImGui_ImplVulkan_CreateFontsTexture, "prepare its controls");
   ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
 }
 
 void UserInterface::take(const Input& input) {
