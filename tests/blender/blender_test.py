@@ -54,7 +54,7 @@ class Blender(BlenderTest):
         self.run_inside("animation")
         facts = json.loads(self.opaline("info", "frame2.glb", "--json"))
         centre = [(low + high) / 2 for low, high in zip(facts["bounds_min_mm"], facts["bounds_max_mm"])]
-        # 0.4 W over four times 0.05 m by 0.05 m, 100 mm above the origin, shining down.
+        # A radiance of 40 over 0.05 m by 0.05 m, 100 mm above the origin, shining down.
         lamp = ",".join(str(at - middle) for at, middle in zip((0, 100, 0), centre)) + ":25,0,0:0,0,25:40"
         self.opaline("render", "frame2.glb", "--medium", "marble", "--rectangle", lamp, "--size", "96x96", "--antialias", "1",
                      "--roughness", "0.5", *DIVISION, "--quiet", "-o", "gltf.exr")

@@ -1,5 +1,6 @@
 """Three frames of a subdivided body that moves and changes its shape, under an area lamp; and what glTF has of the second."""
 
+import math
 import pathlib
 import sys
 
@@ -22,8 +23,8 @@ for frame, place, angle in ((1, -0.01, 0.0), (3, 0.01, 0.8)):
     twist.keyframe_insert("angle", frame=frame)
 common.camera((0.03, -0.13, 0.02))
 scene.render.film_transparent = True
-# Its middle, half edges and radiance are given to `opaline render` by the test.
-common.lamp("AREA", (0, 0, 0.1), 0.4, shape="SQUARE", size=0.05)
+# Its middle, half edges and radiance of 40 are given to `opaline render` by the test.
+common.lamp("AREA", (0, 0, 0.1), 0.1 * (math.pi if bpy.app.version >= (4, 0, 0) else 4), shape="SQUARE", size=0.05)
 scene.frame_start, scene.frame_end = 1, 3
 scene.render.filepath = str(common.FOLDER / "frame")
 bpy.ops.render.render(animation=True)

@@ -128,7 +128,12 @@ TEST_F(Meshopt, ReadsTriangles) {
 
 TEST_F(Meshopt, FiltersExponential) {
   std::vector<std::uint32_t> packedNumbers(12);
+#if MESHOPTIMIZER_VERSION >= 190
+  meshopt_encodeFilterExp(packedNumbers.data(), 4, 12, 16, tetrahedron.data(),
+                          meshopt_EncodeExpSharedVector);
+#else
   meshopt_encodeFilterExp(packedNumbers.data(), 4, 12, 16, tetrahedron.data());
+#endif
   const Compressed filtered{encodedAttributes(packedNumbers, 12), 4, 12, "ATTRIBUTES",
                             "EXPONENTIAL"};
   EXPECT_NEAR(volumeMm3(loadPacked(packed({filtered, faces}))), 1e9 / 6, 1);

@@ -55,6 +55,13 @@ def _spot(lamp, place, axes, notes, mm_per_unit):
                              inner_degrees=math.degrees(inner), outer_degrees=math.degrees(outer))
 
 
+def _of_power(area):
+    """Radiance of a watt: from 4.0 on that of a matt surface, before a factor of pi / 4 less."""
+    import bpy
+
+    return 1 / ((math.pi if bpy.app.version >= (4, 0, 0) else 4) * area)
+
+
 def _area(lamp, place, axes, notes, mm_per_unit):
     import opaline
 
@@ -67,7 +74,7 @@ def _area(lamp, place, axes, notes, mm_per_unit):
         return None
     is_round = lamp.shape in ("DISK", "ELLIPSE")
     area = (math.pi if is_round else 4) * lengths[0] * lengths[1]
-    radiance = _color(lamp) * lamp.energy / (4 * area)
+    radiance = _color(lamp) * lamp.energy * _of_power(area)
     if getattr(lamp, "spread", math.pi) < math.pi * 0.99:
         notes.add("the spread of area lamps is not shown", lamp.name)
     if is_round and abs(lengths[0] - lengths[1]) < 0.01 * max(lengths):
