@@ -9,6 +9,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import common
 
 FRAME = 9
+# Of all that moves, not one of each object.
+ONE_CLIP = {"export_animation_mode": "ACTIVE_ACTIONS"} if bpy.app.version >= (4, 0, 0) else {"export_nla_strips": False}
 
 
 def shaded_smooth(body):
@@ -59,7 +61,7 @@ def moving():
     common.lamp("SUN", (0.3, -0.5, 1), 3, angle=0)
     common.render("moment", FRAME)
     bpy.ops.export_scene.gltf(filepath=str(common.FOLDER / "moving.glb"), export_apply=False, export_cameras=True,
-                              export_nla_strips=False, export_frame_range=True)
+                              export_frame_range=True, **ONE_CLIP)
 
 
 def subsurface():
