@@ -165,21 +165,24 @@ double mirroredOnce(double alpha, double out) {
 }
 
 TEST_F(OpaqueTest, MetalMirrorsLightsByGgx) {
-  OpaqueMaterial metal;
-  metal.baseColor = {1, 0.5F, 0.25F};
-  metal.metallic = 1;
-  metal.roughness = 0.6F;
-  Scene scene = squareOf(metal);
-  const double in = 0.8;
-  scene.lighting.directional.push_back({{0.6F, 0, 0.8F}, {1, 1, 1}});
-  const double half = std::sqrt((1 + in) / 2);
-  const double once = ggx(0.36, half, in, 1) * in;
-  const double sent = 1 / mirroredOnce(0.36, 1) - 1;
-  const Vector found = radianceAt(scene, 16, 16);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double head = metal.baseColor[c];
-    const double fresnel = head + (1 - head) * std::pow(1 - half, 5);
-    EXPECT_NEAR(found[c], once * fresnel * (1 + head * sent), 0.02 * found[c]);
+  for (const double roughness : {0.6, 1.0}) {
+    OpaqueMaterial metal;
+    metal.baseColor = {1, 0.5F, 0.25F};
+    metal.metallic = 1;
+    metal.roughness = static_cast<float>(roughness);
+    Scene scene = squareOf(metal);
+    const double in = 0.8;
+    scene.lighting.directional.push_back({{0.6F, 0, 0.8F}, {1, 1, 1}});
+    const double half = std::sqrt((1 + in) / 2);
+    const double alpha = roughness * roughness;
+    const double once = ggx(alpha, half, in, 1) * in;
+    const double sent = 1 / mirroredOnce(alpha, 1) - 1;
+    const Vector found = radianceAt(scene, 16, 16);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double head = metal.baseColor[c];
+      const double fresnel = head + (1 - head) * std::pow(1 - half, 5);
+      EXPECT_NEAR(found[c] / (once * fresnel * (1 + head * sent)), 1, 0.01) << roughness;
+    }
   }
 }
 

@@ -7,15 +7,18 @@
 // adds to F₉₀.
 layout(std430, set = 0, binding = BINDING_GLOSS) readonly buffer Gloss { vec2 gloss[]; };
 
+// Beyond the last entries, half a step before 1, it goes on straight.
 vec2 glossOf(uint row, float cosine) {
-  float place = clamp(cosine * float(glossEntries) - 0.5, 0.0, float(glossEntries) - 1.001);
-  uint lower = row * glossEntries + uint(place);
-  return mix(gloss[lower], gloss[lower + 1u], fract(place));
+  float place = max(cosine * float(glossEntries) - 0.5, 0.0);
+  uint lower = min(uint(place), glossEntries - 2u);
+  uint first = row * glossEntries + lower;
+  return mix(gloss[first], gloss[first + 1u], place - float(lower));
 }
 
 vec2 glossOf(SeenMaterial material, float cosine) {
-  float place = clamp(sqrt(material.diffuse.w) * float(glossEntries) - 0.5, 0.0, float(glossEntries) - 1.001);
-  return mix(glossOf(uint(place), cosine), glossOf(uint(place) + 1u, cosine), fract(place));
+  float place = max(sqrt(material.diffuse.w) * float(glossEntries) - 0.5, 0.0);
+  uint lower = min(uint(place), glossEntries - 2u);
+  return mix(glossOf(lower, cosine), glossOf(lower + 1u, cosine), place - float(lower));
 }
 
 // What a rough surface's facets send on to each other, over what they mirror once (Turquin 2019), so

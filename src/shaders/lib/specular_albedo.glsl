@@ -19,11 +19,12 @@ float reflectedAlbedo(MediumData medium, float cosine) {
   return albedoFrom(medium.tables.w, cosine);
 }
 
-// Of a surface of its own roughness² = alpha.
+// Of a surface of its own roughness² = alpha. Beyond the last row, half a step before 1, it goes on straight.
 float reflectedAlbedo(MediumData medium, float alpha, float cosine) {
-  float place = clamp(sqrt(alpha) * float(albedoRows) - 0.5, 0.0, float(albedoRows) - 1.001);
-  uint row = medium.surface.y + uint(place) * albedoEntries;
-  return mix(albedoFrom(row, cosine), albedoFrom(row + albedoEntries, cosine), fract(place));
+  float place = max(sqrt(alpha) * float(albedoRows) - 0.5, 0.0);
+  uint lower = min(uint(place), albedoRows - 2u);
+  uint row = medium.surface.y + lower * albedoEntries;
+  return mix(albedoFrom(row, cosine), albedoFrom(row + albedoEntries, cosine), place - float(lower));
 }
 
 #endif
