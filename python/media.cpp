@@ -49,10 +49,13 @@ Medium mediumBy(const py::object& name, const py::object& sigmaSPrime, const py:
 }
 
 Medium looking(const py::object& color, const py::object& meanFreePathMm, double g, double eta,
-               const std::string& colorModel) {
+               const std::string& colorModel, double ballMm) {
   const Appearance appearance{tripleOf(color, "color"),
-                              tripleOf(meanFreePathMm, "mean_free_path_mm"), g, eta,
-                              colorModelOf(colorModel)};
+                              tripleOf(meanFreePathMm, "mean_free_path_mm"),
+                              g,
+                              eta,
+                              colorModelOf(colorModel),
+                              ballMm};
   const std::string complaint = complaintAbout(appearance);
   if (!complaint.empty()) throw UsageError(complaint);
   return opaline::mediumOf(appearance);
@@ -93,11 +96,13 @@ index of refraction, in [1.01, 3]; mean cosine of scattering, in [-0.99, 0.99]. 
            py::arg("eta") = py::none(), py::arg("g") = py::none())
       .def_static("from_appearance", &looking, py::arg("color"), py::arg("mean_free_path_mm"),
                   py::arg("g") = 0.0, py::arg("eta") = 1.4, py::arg("color_model") = "observed",
+                  py::arg("ball_mm") = 0.0,
                   R"(The medium that looks like this.
 
 color: of a thick body in even light, three numbers in [0, 1]; mean_free_path_mm: three numbers in [1e-6, 1e6];
 g: mean cosine of scattering, in [-0.99, 0.99]; eta: in [1.01, 1.6]; color_model: "observed", or "khr" where the color is
-the albedo of KHR_materials_volume_scatter.)")
+the albedo of KHR_materials_volume_scatter; ball_mm: diameter of the ball that has the color in even light, in [0, 1e9],
+0: a body without end.)")
       .def_readonly("name", &Medium::name, "Its name, or an empty text.")
       .def_property_readonly(
           "sigma_s_prime_per_mm",

@@ -40,6 +40,9 @@ struct Appearance {
   double g = 0;                                   ///< mean cosine of scattering, in [-0.99, 0.99]
   double eta = 1.4;                               ///< in [1.01, 1.6]
   ColorModel colorModel = ColorModel::Observed;
+  /// Diameter of the ball that has the observed color; 0: of a body without end. In [0, 1e9]. Other
+  /// convex bodies have about that of a ball with as much volume for its surface.
+  double ballMm = 0;
 
   bool operator==(const Appearance&) const = default;
 };
@@ -48,7 +51,7 @@ struct Appearance {
 OPALINE_API std::string complaintAbout(const Appearance& appearance);
 
 /// The medium that looks like that. Observed colours are inverted by a fit to diffusion with
-/// Fresnel's boundary, which is right within 0.003.
+/// Fresnel's boundary, which is right within 0.003; those of a ball by diffusion in it.
 OPALINE_API Medium mediumOf(const Appearance& appearance);
 
 /// The other way: the colour that a thick body of the medium has in even light, by the same fit,

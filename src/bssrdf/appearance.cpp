@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bssrdf/ball.h"
 #include "opaline/medium.h"
 
 namespace opaline {
@@ -32,10 +33,35 @@ Fit fitAt(double eta) {
   return {eta, std::lerp(low.b, high.b, part), std::lerp(low.c, high.c, part)};
 }
 
+double colorOf(double s, const Fit& fit) {
+  return (1 - s) * (1 - fit.b * s) / (1 + fit.c * s);
+}
+
 /// s = √(1 - α'), of which with g the albedo follows.
 double observed(double color, const Fit& fit) {
   const double sum = 1 + fit.b + fit.c * color;
   return (sum - std::sqrt(sum * sum - 4 * fit.b * (1 - color))) / (2 * fit.b);
+}
+
+double albedoOf(double s, double g) {
+  return (1 - s * s) / (1 - g * s * s);
+}
+
+/// The same of a ball, by bisection: the more it absorbs, the darker it is.
+double observedOnBall(double color, const Appearance& appearance, std::size_t channel,
+                      const Fit& fit) {
+  double low = 0;
+  double high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double s = (low + high) / 2;
+    const double reducedPerMm =
+        (1 - appearance.g * albedoOf(s, appearance.g)) / appearance.meanFreePathMm[channel];
+    const double trPerMm = std::sqrt(3.0) * s * reducedPerMm;
+    const double seen =
+        bssrdf::colorOfBall(colorOf(s, fit), appearance.eta, appearance.ballMm / 2 * trPerMm);
+    (seen > color ? low : high) = s;
+  }
+  return (low + high) / 2;
 }
 
 /// The same by the formula of KHR_materials_volume_scatter, after Kulla and Conty 2017.
@@ -54,10 +80,17 @@ Medium mediumOf(const Appearance& appearance) {
   medium.g = appearance.g;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double color = std::clamp(appearance.color[channel], 0.0, 1.0);
-    const double s = appearance.colorModel == ColorModel::Khr ? khr(color) : observed(color, fit);
+    double s = 0;
+    if (appearance.colorModel == ColorModel::Khr) {
+      s = khr(color);
+    } else if (appearance.ballMm > 0) {
+      s = observedOnBall(color, appearance, channel, fit);
+    } else {
+      s = observed(color, fit);
+    }
     // What scatters nothing would be no medium.
     constexpr double leastAlbedo = 1e-4;
-    const double albedo = std::max((1 - s * s) / (1 - appearance.g * s * s), leastAlbedo);
+    const double albedo = std::max(albedoOf(s, appearance.g), leastAlbedo);
     const double extinctionPerMm = 1 / appearance.meanFreePathMm[channel];
     medium.sigmaSPrimePerMm[channel] = (1 - appearance.g) * albedo * extinctionPerMm;
     medium.sigmaAPerMm[channel] = (1 - albedo) * extinctionPerMm;
@@ -71,7 +104,7 @@ Rgb colorOf(const Medium& medium) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double absorbed = medium.sigmaAPerMm[channel];
     const double s = std::sqrt(absorbed / (absorbed + medium.sigmaSPrimePerMm[channel]));
-    color[channel] = static_cast<float>((1 - s) * (1 - fit.b * s) / (1 + fit.c * s));
+    color[channel] = static_cast<float>(colorOf(s, fit));
   }
   return color;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bssrdf/ball.h"
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 
@@ -142,6 +143,27 @@ std::array<std::vector<PaintedBoundary>, 3> paints(const Medium& medium, std::si
     }
   }
   return made;
+}
+
+std::array<LayerColors, 3> layerColors(const Medium& medium, double ballMm) {
+  const std::vector<PaintedBoundary> layers = fineTable(medium.eta);
+  const double a = robinA(momentsOf(medium.eta, 0));
+  const Rgb bare = colorOf(medium);
+  const std::array<Profile, 3> profiles = makeProfiles(Model::BetterDipole, medium);
+  std::array<LayerColors, 3> colors;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double x = ballMm / 2 * profiles[c].sigmaTrPerMm;
+    const double byThick = profiles[c].diffusionMm * profiles[c].sigmaTrPerMm;
+    const double byBall = byThick * takenByBall(x);
+    const double thick = double{bare[c]} / reflectanceOf(layers.front(), a, byThick);
+    const double ball =
+        colorOfBall(double{bare[c]}, medium.eta, x) / reflectanceOf(layers.front(), a, byBall);
+    for (const PaintedBoundary& layer : layers) {
+      colors[c].thick.push_back(thick * reflectanceOf(layer, a, byThick));
+      colors[c].ball.push_back(ball * reflectanceOf(layer, a, byBall));
+    }
+  }
+  return colors;
 }
 
 }  // namespace opaline::bssrdf

@@ -36,4 +36,12 @@ constexpr double thickestPaint = 8;
 /// (i/(n-1))² times its colour without a layer, with i from 0 to n - 1.
 std::array<std::vector<PaintedBoundary>, 3> paints(const Medium& medium, std::size_t n);
 
+/// Colours in even light that layers of ascending thickness give a medium, in one channel.
+struct LayerColors {
+  std::vector<double> thick;  ///< of a body without end
+  std::vector<double> ball;
+};
+
+std::array<LayerColors, 3> layerColors(const Medium& medium, double ballMm);
+
 }  // namespace opaline::bssrdf

@@ -29,6 +29,7 @@ OpalineAppearance given(const Appearance& appearance) {
   whole.g = appearance.g;
   whole.eta = appearance.eta;
   whole.colorModel = static_cast<OpalineColorModel>(appearance.colorModel);
+  whole.ballMm = appearance.ballMm;
   return whole;
 }
 
@@ -95,6 +96,7 @@ OpalineStatus opalineMediumOfAppearance(const OpalineAppearance* appearance,
     wanted.g = whole.g;
     wanted.eta = whole.eta;
     wanted.colorModel = c::colorModelOf(whole.colorModel);
+    wanted.ballMm = whole.ballMm;
     c::give(opaline::mediumOf(c::sound(wanted)), medium);
   });
 }

@@ -49,6 +49,8 @@ const std::vector<Field<Appearance>>& fieldsOf() {
       field<Appearance, &Appearance::g>("g", {meanCosine}, "mean cosine of scattering"),
       field<Appearance, &Appearance::eta>("eta", {{1.01, 1.6}}, "index of refraction"),
       field<Appearance, &Appearance::colorModel>("color_model", {}, "what the color means"),
+      field<Appearance, &Appearance::ballMm>("ball_mm", {{0, 1e9, "mm"}},
+                                             "diameter of the ball that has the color; 0: no end"),
   };
   return table;
 }
@@ -262,6 +264,8 @@ std::string complaintAbout(const Medium& medium) {
 }
 
 std::string complaintAbout(const Appearance& appearance) {
+  if (appearance.ballMm > 0 && appearance.colorModel != ColorModel::Observed)
+    return "a ball has an observed color, and color_model is another";
   return options::complaintAboutFields(appearance);
 }
 

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "bssrdf/paint.h"
 #include "opaline/scene.h"
 #include "opaline/tone.h"
 
@@ -75,27 +77,51 @@ Rgb brightColor(const TexturePixels& pixels) {
   return bright;
 }
 
-/// The picture in the colours that bodies of its albedos are seen in.
-std::shared_ptr<const TexturePixels> asSeen(const TexturePixels& pixels,
-                                            const Appearance& appearance) {
+/// The picture with every shade of a channel, in [0, 1], replaced by another, all linear.
+template <typename Seen>
+std::shared_ptr<const TexturePixels> recolored(const TexturePixels& pixels, const Seen& seen) {
   constexpr std::size_t shades = 65536;
-  std::array<std::vector<int>, 3> seen;
-  for (std::vector<int>& of : seen) of.assign(shades, -1);
+  std::array<std::vector<int>, 3> known;
+  for (std::vector<int>& of : known) of.assign(shades, -1);
   TexturePixels result = pixels;
   for (std::size_t i = 0; i < result.rgba.size(); ++i) {
     const std::size_t c = i % 4;
     if (c == 3) continue;
     const std::uint16_t shade = result.rgba[i];
-    int& known = seen[c][shade];
-    if (known < 0) {
-      Appearance one = appearance;
-      const double albedo = double{decodeSrgb(static_cast<float>(shade) / 65535.0F)};
-      one.color.fill(std::min(albedo * appearance.color[c], 1.0));
-      known = static_cast<int>(std::lround(65535 * encodeSrgb(colorOf(mediumOf(one))[c])));
+    int& found = known[c][shade];
+    if (found < 0) {
+      const double linear = double{decodeSrgb(static_cast<float>(shade) / 65535.0F)};
+      found = static_cast<int>(std::lround(65535 * encodeSrgb(seen(linear, c))));
     }
-    result.rgba[i] = static_cast<std::uint16_t>(known);
+    result.rgba[i] = static_cast<std::uint16_t>(found);
   }
   return std::make_shared<const TexturePixels>(std::move(result));
+}
+
+/// In the colours that bodies of its albedos are seen in.
+std::shared_ptr<const TexturePixels> asSeen(const TexturePixels& pixels,
+                                            const Appearance& appearance) {
+  return recolored(pixels, [&](double albedo, std::size_t channel) {
+    Appearance one = appearance;
+    one.color.fill(std::min(albedo * appearance.color[channel], 1.0));
+    return colorOf(mediumOf(one))[channel];
+  });
+}
+
+/// In the colours of bodies without end under the layers by which a ball has its own.
+std::shared_ptr<const TexturePixels> asOnThick(const TexturePixels& pixels,
+                                               const Appearance& appearance, const Medium& medium) {
+  const auto colors = bssrdf::layerColors(medium, appearance.ballMm);
+  return recolored(pixels, [&](double shade, std::size_t channel) {
+    const auto& [thick, ball] = colors[channel];
+    const double wanted = shade * appearance.color[channel];
+    const auto below = std::lower_bound(ball.begin(), ball.end(), wanted, std::greater<>());
+    if (below == ball.begin()) return static_cast<float>(thick.front());
+    if (below == ball.end()) return static_cast<float>(thick.back() * wanted / ball.back());
+    const auto i = static_cast<std::size_t>(below - ball.begin());
+    const double part = (ball[i - 1] - wanted) / (ball[i - 1] - ball[i]);
+    return static_cast<float>(std::lerp(thick[i - 1], thick[i], part));
+  });
 }
 
 }  // namespace
@@ -116,8 +142,13 @@ Translucent bodyOf(const Appearance& appearance, std::optional<Texture> colors) 
     paint.color[c] = static_cast<float>(appearance.color[c]);
     below.color[c] *= double{bright[c]};
   }
+  Medium medium = mediumOf(below);
+  if (appearance.ballMm > 0) {
+    colors->pixels = asOnThick(*colors->pixels, appearance, medium);
+    paint.color = {1, 1, 1};
+  }
   paint.colorTexture = std::move(colors);
-  return {mediumOf(below), std::move(paint)};
+  return {std::move(medium), std::move(paint)};
 }
 
 Paint paintOn(const Medium& medium, Texture colors) {

@@ -8,10 +8,12 @@
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
+#include "opaline/tone.h"
 #include "reference/geometry.h"
 #include "reference/path/emitter.h"
 #include "reference/path/walk.h"
 #include "renderer/boundary_fixture.h"
+#include "scene/material.h"
 
 namespace opaline {
 namespace {
@@ -22,6 +24,7 @@ using PaintedBodyTest = RendererTest;
 constexpr float ballRadiusMm = 10;
 constexpr Rgb pale{0.75F, 0.75F, 0.75F};
 constexpr float darkShare = 0.3F;
+constexpr std::array<double, 4> shades{0.85, 0.6, 0.3, 0.1};
 
 /// The part of a body that is dark: two of four sectors around z.
 bool isDark(const Vector& place) {
@@ -89,6 +92,75 @@ TEST_F(PaintedBodyTest, InEvenLightItsColorsAreThoseOfThePaint) {
     const double entered = std::numbers::pi * bssrdf::meanTransmittance(eta);
     EXPECT_NEAR(seen.pale / entered, 0.75, 0.02) << eta;
     EXPECT_NEAR(seen.dark / entered, 0.75 * double{darkShare}, 0.02) << eta;
+  }
+}
+
+/// A ball, or an ellipsoid, of an appearance that a texture of four shades of grey beside one
+/// another says, of which the whole body has one.
+Scene evenlyPainted(double eta, double meanFreePathMm, std::size_t shade, const Vector& halfAxesMm,
+                    double ballMm) {
+  TexturePixels pixels;
+  pixels.width = 4;
+  pixels.height = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto encoded =
+        static_cast<std::uint16_t>(std::lround(65535 * encodeSrgb(static_cast<float>(shades[i]))));
+    pixels.rgba.insert(pixels.rgba.end(), {encoded, encoded, encoded, 65535});
+  }
+  Texture texture;
+  texture.pixels = std::make_shared<const TexturePixels>(pixels);
+  texture.interpolated = false;
+  Appearance appearance{{1, 1, 1}, {}, 0, eta};
+  appearance.meanFreePathMm.fill(meanFreePathMm);
+  appearance.ballMm = ballMm;
+  const scene::Translucent made = scene::bodyOf(appearance, texture);
+  Scene scene = ballOf(1, made.medium, 4);
+  Mesh& mesh = scene.objects[0].mesh;
+  for (std::size_t i = 0; i < mesh.positionsMm.size(); ++i) {
+    const Vector at = toVector(mesh.positionsMm[i]);
+    Vector normal{};
+    for (std::size_t k = 0; k < 3; ++k) normal[k] = at[k] / halfAxesMm[k];
+    for (std::size_t k = 0; k < 3; ++k) mesh.positionsMm[i][k] *= static_cast<float>(halfAxesMm[k]);
+    mesh.normals[i] = toVec3(unit(normal));
+  }
+  mesh.textureCoordinates[0].assign(mesh.positionsMm.size(),
+                                    {(static_cast<float>(shade) + 0.5F) / 4, 0.5F});
+  scene.camera.positionMm = {0, 0, 60};
+  scene.objects[0].paint = made.paint;
+  scene.lighting.ambient = {1, 1, 1};
+  return scene;
+}
+
+/// Of the light that entered, what leaves again.
+double meanShare(const Scene& scene, double eta) {
+  const Image image = renderBoundary(scene, boundaryOptions(48), {Aov::Exitance}).images[0];
+  double sum = 0;
+  const int count = forEachCovered(image, [&](std::size_t i) { sum += double{image.rgba[i]}; });
+  return sum / count / (std::numbers::pi * bssrdf::meanTransmittance(eta));
+}
+
+// As large as the ball that the colours are of, from 20 mean free paths on.
+TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnIt) {
+  for (const double eta : {1.3, 1.5})
+    for (const double meanFreePathMm : {0.1, 0.4, 1.0})
+      for (const std::size_t shade : {0U, 2U}) {
+        const Scene scene = evenlyPainted(eta, meanFreePathMm, shade, {10, 10, 10}, 20);
+        EXPECT_NEAR(meanShare(scene, eta), shades[shade], 0.02) << eta << " " << meanFreePathMm;
+      }
+}
+
+// With six times its volume over its surface for the ball's diameter.
+TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnAnEllipsoid) {
+  const double eta = 1.4;
+  const double a = 10;
+  const double c = 5;
+  const double eccentricity = std::sqrt(1 - c * c / (a * a));
+  const double surface = 2 * std::numbers::pi * a * a *
+                         (1 + c * c / (a * a) / eccentricity * std::atanh(eccentricity));
+  const double ballMm = 6 * (4 * std::numbers::pi / 3 * a * a * c) / surface;
+  for (const std::size_t shade : {0U, 2U}) {
+    const Scene scene = evenlyPainted(eta, ballMm / 20, shade, {a, c, a}, ballMm);
+    EXPECT_NEAR(meanShare(scene, eta), shades[shade], 0.02) << shade;
   }
 }
 

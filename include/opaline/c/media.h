@@ -33,6 +33,7 @@ typedef struct OpalineAppearance {
   double g;                  ///< mean cosine of scattering, in [-0.99, 0.99]
   double eta;                ///< index of refraction, in [1.01, 1.6]
   OpalineColorModel colorModel;
+  double ballMm;  ///< diameter of the ball that has the color; 0: of a body without end
 } OpalineAppearance;
 
 /// Fills a struct whose size has been set.

@@ -10,7 +10,7 @@
 
 /// Grows when the layout of a struct or the meaning of a call changes. Structs that only got more
 /// members at their end still take those of programs that were compiled before.
-#define OPALINE_C_ABI 5
+#define OPALINE_C_ABI 6
 
 #ifdef __cplusplus
 #define OPALINE_C_BEGIN extern "C" {

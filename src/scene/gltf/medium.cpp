@@ -42,7 +42,8 @@ std::optional<Appearance> appearanceInExtras(const Input& input,
   Appearance appearance{.meanFreePathMm = *meanFreePath,
                         .g = gltfNumber(material.extras, "g").value_or(0),
                         .eta = std::min(etaOf(material), 1.6),
-                        .colorModel = input.options.colorModel};
+                        .colorModel = input.options.colorModel,
+                        .ballMm = gltfNumber(material.extras, "ball_mm").value_or(0)};
   const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
   const auto color = gltfNumbers<3>(material.extras, "color");
   for (std::size_t c = 0; c < 3; ++c)

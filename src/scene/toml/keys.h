@@ -18,11 +18,12 @@ inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
-inline constexpr Keys<25> material{"kind",
+inline constexpr Keys<26> material{"kind",
                                    "medium",
                                    "color",
                                    "color_texture",
                                    "color_model",
+                                   "ball_mm",
                                    "mean_free_path_mm",
                                    "g",
                                    "eta",

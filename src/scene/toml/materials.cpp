@@ -35,8 +35,8 @@ constexpr std::array<TextureOfSurface, 2> texturesOfSurface{
     {{"metallic_roughness_texture", &TranslucentSurface::metallicRoughnessTexture},
      {"normal_texture", &TranslucentSurface::normalTexture}}};
 
-constexpr std::array<std::string_view, 6> keysOfTranslucent{
-    "medium", "color", "color_texture", "color_model", "mean_free_path_mm", "g"};
+constexpr std::array<std::string_view, 7> keysOfTranslucent{
+    "medium", "color", "color_texture", "color_model", "ball_mm", "mean_free_path_mm", "g"};
 
 /// The keys of one kind that the other has no use for.
 void refuse(const TomlTable& table, std::string_view key, std::string_view kind) {
@@ -112,7 +112,7 @@ class MaterialReader {
     readSurface();
     if (const auto medium = table_.text("medium")) {
       for (const char* key :
-           {"color", "color_texture", "color_model", "mean_free_path_mm", "g", "eta"})
+           {"color", "color_texture", "color_model", "ball_mm", "mean_free_path_mm", "g", "eta"})
         if (table_.has(key)) table_.fail(key, "cannot stand beside 'medium', which has its own");
       made_.source.medium = *medium;
       made_.translucent.medium = findMedium_(table_, "medium", *medium);
@@ -125,6 +125,8 @@ class MaterialReader {
     appearance.colorModel = colorModel_;
     if (table_.has("color_texture")) appearance.color = {1, 1, 1};
     made_.source.appearance.applyTo(appearance);
+    if (const std::string complaint = complaintAbout(appearance); !complaint.empty())
+      table_.fail("ball_mm", complaint);
     std::optional<TranslucentSurface> surface = std::move(made_.translucent.surface);
     made_.translucent = bodyOf(appearance, texture("color_texture"));
     made_.translucent.surface = std::move(surface);

@@ -311,6 +311,7 @@ base_color_texture = "../../grey.png"
 kind = "translucent"
 color = [0.9, 0.5, 0.1]
 mean_free_path_mm = 2
+ball_mm = 40
 eta = 1.5
 [materials.cheese]
 kind = "translucent"
@@ -330,7 +331,7 @@ normal_texture = "../../grey.png"
   EXPECT_EQ(scene.objects[0].opaque->baseColorTexture->pixels->rgba[0], 188 * 257);
   EXPECT_EQ(scene.objects[0].opaque->diffuseTransmission, 0.125F);
   EXPECT_TRUE(scene.objects[0].opaque->diffuseTransmissionColorTexture);
-  const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5};
+  const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5, ColorModel::Observed, 40};
   EXPECT_EQ(scene.objects[1].medium.sigmaAPerMm, mediumOf(jelly).sigmaAPerMm);
   EXPECT_FALSE(scene.objects[1].surface);
   ASSERT_TRUE(scene.objects[2].surface && scene.objects[2].surface->normalTexture);
