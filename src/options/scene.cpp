@@ -265,7 +265,7 @@ std::string complaintAbout(const Medium& medium) {
 
 std::string complaintAbout(const Appearance& appearance) {
   if (appearance.ballMm > 0 && appearance.colorModel != ColorModel::Observed)
-    return "a ball has an observed color, and color_model is another";
+    return "ball_mm is for observed colors, and color_model is another";
   return options::complaintAboutFields(appearance);
 }
 

@@ -33,6 +33,12 @@ class WrongScenes(ProgramTest):
         self.write("key.toml", WRONG["key.toml"])
         self.refused(1, "info", "key.toml", says=("diagonal", "diagonal_mm"))
 
+    def test_a_ball_has_an_observed_color(self):
+        self.write("cube.obj", CUBE_OBJ)
+        self.write("ball.toml", 'model = "cube.obj"\n[materials.a]\nkind = "translucent"\nball_mm = 5\nmean_free_path_mm = 1\n')
+        self.succeed("info", "ball.toml", "--quiet")
+        self.refused(1, "info", "ball.toml", "--color-model", "khr", "--quiet", says=("ball.toml", "ball_mm", "color_model"))
+
     def test_what_is_no_file(self):
         (self.folder / "folder.ply").mkdir()
         self.refused(1, "info", "nosuch.ply", says="nosuch.ply")
