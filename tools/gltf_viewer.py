@@ -26,7 +26,7 @@ import sys
 import tempfile
 import threading
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "cli"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "cli"))
 
 import images
 

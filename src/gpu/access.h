@@ -48,7 +48,7 @@ struct AccessState {
   VkAccessFlags2 writeAccesses = 0;
   VkPipelineStageFlags2 readStages = 0;
   VkAccessFlags2 readAccesses = 0;
-  bool isPrepared = false;  ///< the last write has been ordered, and is yet to be recorded
+  bool isPrepared = false;    ///< the last write has been ordered, and is yet to be recorded
   std::uint64_t command = 0;  ///< number of the last that accessed it; of buffers
 };
 
@@ -66,8 +66,8 @@ struct AccessBarrier {
 /// Between all accesses of shaders to buffers, where that one is between some.
 void widen(AccessBarrier& barrier);
 
-/// Numbers commands in the order in which they are recorded, and knows the last of them before which
-/// all that shaders had done to buffers was ordered: nothing need wait for that again.
+/// Numbers commands in the order in which they are recorded, and knows the last of them before
+/// which all that shaders had done to buffers was ordered: nothing need wait for that again.
 class CommandOrder {
  public:
   /// Of the next command.

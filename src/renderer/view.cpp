@@ -260,7 +260,8 @@ class View::Implementation {
       const SceneChanges changes = follow(plan, order);
       plan.light =
           prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
-      plan.shape = plan.light && prepared_->shape().mustFind(options_, plan, order.reuseLight, changes);
+      plan.shape =
+          plan.light && prepared_->shape().mustFind(options_, plan, order.reuseLight, changes);
       plan_ = plan;
       fill(order, outputs);
       hand();

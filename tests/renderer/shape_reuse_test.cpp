@@ -32,8 +32,8 @@ struct Change {
 
 std::vector<Change> changes() {
   return {
-      {"a light turns",
-       [](Renderer& r, View&) { r.setLighting(turned(wobblyBall().lighting)); }, false},
+      {"a light turns", [](Renderer& r, View&) { r.setLighting(turned(wobblyBall().lighting)); },
+       false},
       {"a light goes",
        [](Renderer& r, View&) {
          Lighting lighting = wobblyBall().lighting;

@@ -13,7 +13,7 @@ import unittest
 from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests" / "cli")]
+sys.path += [str(ROOT / "tools"), str(ROOT / "tests" / "cli")]
 
 import gltf_viewer
 

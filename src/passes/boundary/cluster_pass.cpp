@@ -308,14 +308,15 @@ void ClusterPass::recordEntries(gpu::CommandList& commands, const EntryInputs& i
 
 void ClusterPass::gather(gpu::CommandList& commands, const ShapeInputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(gather_,
-                {.positions = inputs.mesh.positions,
-                 .normals = inputs.mesh.normals,
-                 .pieces = inputs.surfels.pieces,
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .nodes = clusters.nodes},
-                {.clusterCount = clusters.count, .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+  commands.bind(
+      gather_,
+      {.positions = inputs.mesh.positions,
+       .normals = inputs.mesh.normals,
+       .pieces = inputs.surfels.pieces,
+       .ranges = clusters.ranges,
+       .clusters = clusters.clusters,
+       .nodes = clusters.nodes},
+      {.clusterCount = clusters.count, .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
 }
 
