@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """What leaves a half-space after so many collisions, exactly, and what diffusion makes of it from the first, second,
-third or fourth collision on: how much too much it has. Scattering is even, light arrives along the normal,
-the boundary is a smooth dielectric. Needs NumPy.
+third or fourth collision on: how much too much it has. Scattering is even, light arrives along the normal or so many
+degrees from it, the boundary is a smooth dielectric. All is of the light that enters, but for the last column: what
+leaves of the light that arrives. Needs NumPy.
 
-  tools/collisions.py [ETA]
+  tools/collisions.py [ETA [DEGREES]]
 """
 
 import sys
@@ -68,17 +69,20 @@ def by_diffusion(albedo, eta, edges, collisions):
 
 def main():
     eta = float(sys.argv[1]) if len(sys.argv) > 1 else 1.3
+    outside = np.cos(np.radians(float(sys.argv[2]) if len(sys.argv) > 2 else 0))
+    arrival = np.sqrt(1 - (1 - outside ** 2) / eta ** 2)
+    enters = 1 - reflectance(eta, outside)
     edges = DEEPEST * np.linspace(0, 1, CELLS + 1) ** 2.5
     collides, leaves = transfer(edges, eta)
-    print("albedo   leaves after 1, 2, 3 and more collisions   diffusion from the 1st, 2nd, 3rd, 4th over exact")
+    print("albedo   leaves after 1, 2, 3 and more collisions   diffusion from the 1st, 2nd, 3rd, 4th over exact   of all that arrives")
     for albedo in ALBEDOS:
-        collisions = [-np.diff(np.exp(-edges))]
+        collisions = [-np.diff(np.exp(-edges / arrival))]
         while collisions[-1].sum() > 1e-9:
             collisions.append(collides @ (albedo * collisions[-1]))
         orders = np.array([albedo * (leaves * each).sum() for each in collisions])
         over = [by_diffusion(albedo, eta, edges, collisions[k]) / orders[k:].sum() for k in range(4)]
         print(f"{albedo:<8} {orders[0]:.4f} {orders[1]:.4f} {orders[2:].sum():.4f}" + " " * 24 +
-              " ".join(f"{each:.3f}" for each in over))
+              " ".join(f"{each:.3f}" for each in over) + f"{enters * orders.sum():13.5f}")
 
 
 if __name__ == "__main__":

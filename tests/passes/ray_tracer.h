@@ -53,8 +53,7 @@ class RayTracer {
     std::vector<glm::vec4> packed;
     packed.reserve(positions.size());
     for (const Vec3& p : positions) packed.emplace_back(p[0], p[1], p[2], 1.0F);
-    mesh_.positions =
-        gpu::makeBuffer(device_, "positions", packed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    mesh_.positions = gpu::makeBuffer(device_, "positions", packed, roomUsage);
     commands_.begin();
     refit_.record(commands_, mesh_, surfels_, hierarchy_);
     commands_.submit();

@@ -17,6 +17,7 @@
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
 #include "passes/fitted_tree.h"
+#include "passes/mechanics.h"
 #include "renderer/shapes.h"
 #include "shaders/gather/tree_leaves.comp.h"
 #include "shaders/gather/tree_nodes.comp.h"
@@ -74,7 +75,7 @@ class RefitTest : public gpu::GpuTest {
   static std::vector<TreeNode> nodesOf(const Lit& lit) {
     const surfels::Tree& tree = lit.tree;
     passes::FittedTree fitted = passes::makeFittedTree(device(), tree);
-    gpu::Buffer sources = gpu::makeBuffer(device(), "sources", lit.sources, storage);
+    gpu::Buffer sources = gpu::makeBuffer(device(), "sources", lit.sources, passes::roomUsage);
     gpu::Buffer nodes =
         gpu::makeBuffer(device(), "nodes", std::vector<TreeNode>(tree.links.size()), storage);
     gpu::Buffer boxes = gpu::makeBuffer(device(), "boxes",
