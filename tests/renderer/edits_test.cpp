@@ -35,13 +35,6 @@ void takeDeformers(Renderer& renderer, const Scene& scene) {
   renderer.setDeformers(scene.deformers);
 }
 
-Image gradient() {
-  Image sky(16, 8);
-  for (std::size_t i = 0; i < sky.rgba.size(); ++i)
-    sky.rgba[i] = 0.01F * static_cast<float>(i % 97);
-  return sky;
-}
-
 const std::vector<Edit>& edits() {
   static const std::vector<Edit> list{
       {"camera", [](Scene& s) { s.camera.positionMm[0] += 7; }, takeCamera},

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/renderer_fixture.h"
@@ -11,12 +10,6 @@
 
 namespace opaline::test {
 namespace {
-
-bool runs(const View& view, const char* pass) {
-  const std::vector<PassTime> passes = view.report().passes;
-  return std::any_of(passes.begin(), passes.end(),
-                     [&](const PassTime& time) { return time.name == pass; });
-}
 
 Lighting turned(Lighting lighting) {
   std::swap(lighting.directional[0].directionToLight[0],
@@ -52,10 +45,7 @@ std::vector<Change> changes() {
       {"the sky changes",
        [](Renderer& r, View&) {
          Lighting lighting = wobblyBall().lighting;
-         Image sky(16, 8);
-         for (std::size_t i = 0; i < sky.rgba.size(); ++i)
-           sky.rgba[i] = 0.01F * static_cast<float>(i % 97);
-         lighting.environment = std::make_shared<const Image>(std::move(sky));
+         lighting.environment = std::make_shared<const Image>(gradient());
          r.setLighting(lighting);
        },
        true},

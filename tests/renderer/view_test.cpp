@@ -2,7 +2,6 @@
 
 #include <vulkan/vulkan.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -57,16 +56,11 @@ TEST_F(ViewTest, ThoseThatDivideTheSceneOtherwiseMayTakeTurns) {
   const std::vector<Image> coarseAlone = render(coarse, asked());
   View fine(renderer(), optionsOf(methods[0]));
   View few(renderer(), coarse);
-  const auto findsLight = [](const View& view) {
-    const std::vector<PassTime> passes = view.report().passes;
-    return std::any_of(passes.begin(), passes.end(),
-                       [](const PassTime& pass) { return pass.name == "shadow"; });
-  };
   for (int turn = 0; turn < 2; ++turn) {
     expectSame(fine.render({.aovs = asked(), .reuseLight = true}).images, fineAlone);
-    EXPECT_EQ(findsLight(fine), turn == 0);
+    EXPECT_EQ(runs(fine, "shadow"), turn == 0);
     expectSame(few.render({.aovs = asked(), .reuseLight = true}).images, coarseAlone);
-    EXPECT_EQ(findsLight(few), turn == 0);
+    EXPECT_EQ(runs(few, "shadow"), turn == 0);
   }
   EXPECT_GT(fine.report().clusters, few.report().clusters);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,20 @@ inline Scene wobblyBall() {
   scene.lighting.directional.push_back({{0, 0.6F, -0.8F}, {3, 3, 3}});
   scene.deformers.push_back({DeformerKind::Twist, 0.4F, 0});
   return scene;
+}
+
+inline Image gradient() {
+  Image sky(16, 8);
+  for (std::size_t i = 0; i < sky.rgba.size(); ++i)
+    sky.rgba[i] = 0.01F * static_cast<float>(i % 97);
+  return sky;
+}
+
+/// Whether the view's last frame had that pass.
+inline bool runs(const View& view, const char* pass) {
+  const std::vector<PassTime> passes = view.report().passes;
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const PassTime& time) { return time.name == pass; });
 }
 
 struct Method {

@@ -2,8 +2,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_PIECES 3
+#define BINDING_VERTICES 2
 #include "lib/linear.glsl"
 #include "lib/piece_at.glsl"
+#include "lib/position_at.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/rays.h"
 
@@ -11,7 +13,6 @@ layout(constant_id = 0) const uint forQueries = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
-layout(set = 0, binding = 2) uniform samplerBuffer positions;
 layout(std430, set = 0, binding = 4) writeonly buffer RayPieces { RayPiece rayPieces[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes { RayBox boxes[]; };
 
@@ -46,10 +47,6 @@ mat3 widened(mat3 corners, float byMm) {
   float part = min(byMm * around / max(twiceArea, 1e-30), 1e-3);
   for (int k = 0; k < 3; ++k) corners[k] += part * (corners[k] - middle);
   return corners;
-}
-
-vec3 positionOf(uint vertex) {
-  return texelFetch(positions, int(vertex)).xyz;
 }
 
 void main() {
