@@ -340,8 +340,8 @@ inline shaders::SeenPlaces seenPlaces(const SeenSurfaces& seen, const gpu::Sampl
   return {.frame = seen.frame.data,
           .seenWords = {seen.surfaces.words, nearest},
           .meshIndices = seen.mesh.indices,
-          .meshPositions = seen.mesh.positions,
-          .meshNormals = seen.mesh.normals,
+          .positions = seen.mesh.positions,
+          .normals = seen.mesh.normals,
           .meshObjects = seen.mesh.objectOf};
 }
 

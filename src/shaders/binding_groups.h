@@ -20,8 +20,8 @@ struct SeenPlaces {
   gpu::Uniform frame;
   gpu::Sampled seenWords;
   gpu::Read meshIndices;
-  gpu::Texels meshPositions;
-  gpu::Texels meshNormals;
+  gpu::Texels positions;
+  gpu::Texels normals;
   gpu::Read meshObjects;
 };
 

@@ -258,8 +258,8 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                    .mixed = surfaces.mixed,
                    .mixedCount = surfaces.mixedCount,
                    .meshIndices = seen.mesh.indices,
-                   .meshPositions = seen.mesh.positions,
-                   .meshNormals = seen.mesh.normals,
+                   .positions = seen.mesh.positions,
+                   .normals = seen.mesh.normals,
                    .meshObjects = seen.mesh.objectOf},
                   {.samples = samples});
     commands.dispatchIndirect(surfaces.mixedCount, 0);

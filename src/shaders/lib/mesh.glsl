@@ -2,11 +2,11 @@
 // lib/frame.glsl and MESH_BINDING, the first of four bindings; BINDING_MESH_EXITANCES for light.
 #ifndef OPALINE_LIB_MESH
 #define OPALINE_LIB_MESH
+#define BINDING_VERTICES MESH_BINDING + 1
 #include "lib/unit.glsl"
+#include "lib/vertex_at.glsl"
 
 layout(std430, set = 0, binding = MESH_BINDING) readonly buffer MeshIndices { uint meshIndices[]; };
-layout(set = 0, binding = MESH_BINDING + 1) uniform samplerBuffer meshPositions;
-layout(set = 0, binding = MESH_BINDING + 2) uniform samplerBuffer meshNormals;
 layout(std430, set = 0, binding = MESH_BINDING + 3) readonly buffer MeshObjects { uint meshObjects[]; };
 
 struct MeshPlace {
@@ -18,15 +18,6 @@ struct MeshPlace {
   float side;     // -1 where that is the inside, else 1
   vec3 facet;     // unit, at right angles to the triangle, towards the camera
 };
-
-vec3 positionOf(uint vertex) {
-  return texelFetch(meshPositions, int(vertex)).xyz;
-}
-
-// Unit; w is below 0 where the body is mirrored.
-vec4 normalOf(uint vertex) {
-  return texelFetch(meshNormals, int(vertex));
-}
 
 uvec3 verticesOf(uint triangle) {
   return uvec3(meshIndices[3u * triangle], meshIndices[3u * triangle + 1u], meshIndices[3u * triangle + 2u]);
