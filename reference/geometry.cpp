@@ -259,6 +259,72 @@ std::optional<Geometry::Hit> Geometry::closestHit(const SurfacePoint& from,
   return closestBut(from.body, from.triangle, startOf(from, direction), direction);
 }
 
+namespace {
+
+/// The point of a triangle that is nearest to a place (Ericson 2005, 5.1.5).
+Vector nearestOn(const Vector& a, const Vector& b, const Vector& c, const Vector& place) {
+  const Vector ab = b - a;
+  const Vector ac = c - a;
+  const double d1 = dot(ab, place - a);
+  const double d2 = dot(ac, place - a);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const double d3 = dot(ab, place - b);
+  const double d4 = dot(ac, place - b);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double d5 = dot(ab, place - c);
+  const double d6 = dot(ac, place - c);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double ofC = d1 * d4 - d3 * d2;
+  if (ofC <= 0 && d1 >= 0 && d3 <= 0) return a + (d1 / (d1 - d3)) * ab;
+  const double ofB = d5 * d2 - d1 * d6;
+  if (ofB <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 / (d2 - d6)) * ac;
+  const double ofA = d3 * d6 - d5 * d4;
+  if (ofA <= 0 && d4 >= d3 && d5 >= d6) return b + ((d4 - d3) / (d4 - d3 + d5 - d6)) * (c - b);
+  const double sum = ofA + ofB + ofC;
+  return sum > 0 ? a + (ofB / sum) * ab + (ofC / sum) * ac : a;
+}
+
+/// What Embree's query for the nearest triangle hands on.
+struct Nearest {
+  const Scene& scene;
+  std::uint32_t whole;
+  Vector place;
+  double squaredMm2 = std::numeric_limits<double>::infinity();
+  std::uint32_t body;
+};
+
+bool takeIfNearer(RTCPointQueryFunctionArguments* arguments) {
+  Nearest& nearest = *static_cast<Nearest*>(arguments->userPtr);
+  if (wholeOf(nearest.scene, arguments->geomID) != nearest.whole) return false;
+  const Body& body = nearest.scene.bodies[arguments->geomID];
+  const Triangle& t = body.triangles[arguments->primID];
+  const Vector offset = nearestOn(body.positionsMm[t[0]], body.positionsMm[t[1]],
+                                  body.positionsMm[t[2]], nearest.place) -
+                        nearest.place;
+  const double squared = dot(offset, offset);
+  if (squared >= nearest.squaredMm2) return false;
+  nearest.squaredMm2 = squared;
+  nearest.body = arguments->geomID;
+  arguments->query->radius = static_cast<float>(std::sqrt(squared));
+  return true;
+}
+
+}  // namespace
+
+std::uint32_t Geometry::nearestPart(std::uint32_t body, const Vector& place) const {
+  Nearest nearest{.scene = scene_, .whole = wholeOf(scene_, body), .place = place, .body = body};
+  const Vector relative = place - box_.centre();
+  RTCPointQuery query{};
+  query.x = static_cast<float>(relative[0]);
+  query.y = static_cast<float>(relative[1]);
+  query.z = static_cast<float>(relative[2]);
+  query.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(device_->scene, &query, &context, takeIfNearer, &nearest);
+  return nearest.body;
+}
+
 bool Geometry::occluded(const SurfacePoint& from, const Vector& direction,
                         double distanceMm) const {
   Query query = queryFrom(scene_, from.body, from.triangle);

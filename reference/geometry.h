@@ -54,6 +54,9 @@ class Geometry {
   bool occluded(const SurfacePoint& from, const Vector& direction,
                 double distanceMm = std::numeric_limits<double>::infinity()) const;
 
+  /// Of the bodies that are one with this one, that whose surface is nearest to a place in it.
+  std::uint32_t nearestPart(std::uint32_t body, const Vector& place) const;
+
   /// How far rays start off the surface, mm: a few units in the last place of the single-precision
   /// coordinates. Nothing thinner or nearer can shade.
   double offsetMm() const { return offsetMm_; }

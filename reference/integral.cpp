@@ -48,6 +48,27 @@ Patches makeBoundedPatches(const Geometry& geometry, const Irradiance& irradianc
   return *makePatches(geometry, irradiance, body, options);
 }
 
+// Of all that is one body with this one.
+Patches patchesOfWhole(const Geometry& geometry, const Irradiance& irradiance, std::uint32_t body,
+                       const PatchOptions& options) {
+  Patches all;
+  for (std::uint32_t part = 0; part < geometry.scene().bodies.size(); ++part) {
+    if (wholeOf(geometry.scene(), part) != wholeOf(geometry.scene(), body)) continue;
+    const Patches its = makeBoundedPatches(geometry, irradiance, part, options);
+    all.patches.insert(all.patches.end(), its.patches.begin(), its.patches.end());
+    all.moments.insert(all.moments.end(), its.moments.begin(), its.moments.end());
+    all.withBorders += its.withBorders;
+  }
+  return all;
+}
+
+double areaOfWhole(const Scene& scene, std::uint32_t body) {
+  double area = 0;
+  for (std::uint32_t part = 0; part < scene.bodies.size(); ++part)
+    if (wholeOf(scene, part) == wholeOf(scene, body)) area += areaOf(scene.bodies[part]);
+  return area;
+}
+
 /// Sums what the nodes of a tree contribute to one point. The pieces whose contributions are least
 /// certain are divided until the rest is certain enough.
 class Summation {
@@ -223,11 +244,11 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
                                         Kernel(profiles[2])};
     const double depth =
         std::min({kernels[0].depthMm(), kernels[1].depthMm(), kernels[2].depthMm()});
-    SourceTree tree(makeBoundedPatches(geometry, irradiance, body,
-                                       patchOptions(geometry.box().diagonalMm(), depth, options)),
+    SourceTree tree(patchesOfWhole(geometry, irradiance, body,
+                                   patchOptions(geometry.box().diagonalMm(), depth, options)),
                     options.stop);
     Colour negligible{};
-    const double area = areaOf(scene.bodies[body]);
+    const double area = areaOfWhole(scene, body);
     for (std::size_t c = 0; c < 3 && !tree.isEmpty() && area > 0; ++c) {
       negligible[c] =
           1e-12 * tree.node(0).moments.channels[c].flux / area * profiles[c].totalReflectance();

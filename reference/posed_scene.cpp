@@ -6,6 +6,7 @@
 #include "deform/deformed_vertices.h"
 #include "reference/own_surface.h"
 #include "scene/changes.h"
+#include "scene/mesh/bodies.h"
 #include "scene/mesh/normals.h"
 
 namespace opaline::reference {
@@ -48,6 +49,7 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
   scene::Pose pose = scene::makePose(scene);
   scene::poseAt(scene, time.clip, time.seconds, pose);
   Scene result;
+  result.wholeOfBody = scene::bodyOfObjects(scene);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     Body& body = result.bodies.emplace_back();

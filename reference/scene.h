@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct Body {
 /// All that a picture depends on. Nothing refers to the scene it was made from.
 struct Scene {
   std::vector<Body> bodies;  ///< in the order of the objects
+  /// Bodies with the same number are one, of several materials; empty: each is one by itself.
+  std::vector<std::uint32_t> wholeOfBody;
   Lighting lighting;
   Camera camera;
 };
@@ -46,6 +49,11 @@ Box boxOf(const Scene& scene);
 
 /// Whether light enters any body.
 bool hasMedia(const Scene& scene);
+
+/// The number of the body that this one is a part of.
+inline std::uint32_t wholeOf(const Scene& scene, std::uint32_t body) {
+  return scene.wholeOfBody.empty() ? body : scene.wholeOfBody[body];
+}
 
 /// Throws Error for what makes no sense: no surface, more than 100 million triangles, a place, a
 /// light or a coefficient that is not finite or out of range, an index without its vertex.

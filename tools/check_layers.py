@@ -43,7 +43,7 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "bssrdf", "lights", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/atlas/atlas.h", "paper/technique.h", "shaders"),
     "src/c_interface": ("opaline",),
-    "reference": ("opaline", "core", "bssrdf", "deform", "lights", "environment", "scene/changes.h", "scene/mesh/normals.h",
+    "reference": ("opaline", "core", "bssrdf", "deform", "lights", "environment", "scene/changes.h", "scene/mesh/bodies.h", "scene/mesh/normals.h",
                   "scene/mesh/tangents.h", "scene/pose.h"),
     "apps/opaline/cli": APP,
     "apps/opaline/film": (*APP, "apps/opaline/cli"),

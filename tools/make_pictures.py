@@ -71,7 +71,7 @@ def main():
     binaries = arguments.build.resolve() / "bin"
     programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
     for script in ("tools/accuracy.py", "tools/figures/hero_scene.py", "tools/figures/lampshade_scene.py", "tools/figures/stones_scene.py",
-                   "tools/figures/window_pictures.py", "tools/figures/blender_pictures.py",
+                   "tools/figures/layers_scene.py", "tools/figures/window_pictures.py", "tools/figures/blender_pictures.py",
                    "tools/figures/growth_figure.py"):
         programs[script] = ROOT / script
     for _, entry in entries():

@@ -31,4 +31,16 @@ struct MeshFacts {
 OPALINE_API MeshFacts factsOf(std::span<const Vec3> positionsMm,
                               std::span<const Triangle> triangles);
 
+/// A body of a scene: an object, or several translucent ones whose open edges lie upon each other
+/// in the rest pose. Light goes through them as through one.
+struct BodyFacts {
+  std::vector<std::size_t> objects;  ///< their indices
+  MeshFacts surface;                 ///< of all of them together
+  /// Of each of these objects.
+  std::vector<std::size_t> trianglesWithoutInside;
+};
+
+/// In the order of their first objects. Throws as factsOf() does.
+OPALINE_API std::vector<BodyFacts> bodiesOf(const Scene& scene);
+
 }  // namespace opaline

@@ -45,6 +45,23 @@ void Walk::reflect(const Particle& particle, Random& random, std::vector<Particl
   });
 }
 
+std::vector<double> Walk::densestOf(const Scene& scene, const std::vector<Interior>& interiors) {
+  std::vector<double> densest(interiors.size(), 0);
+  std::vector<int> parts(interiors.size(), 0);
+  for (std::uint32_t body = 0; body < interiors.size(); ++body) {
+    const std::uint32_t whole = wholeOf(scene, body);
+    ++parts[whole];
+    densest[whole] = std::max(densest[whole], interiors[body].sigmaTPerMm);
+  }
+  std::vector<double> result;
+  result.reserve(interiors.size());
+  for (std::uint32_t body = 0; body < interiors.size(); ++body) {
+    const std::uint32_t whole = wholeOf(scene, body);
+    result.push_back(parts[whole] > 1 ? densest[whole] : 0);
+  }
+  return result;
+}
+
 // A particle stands for light that falls on the facet. On the tilted surface falls more or less of
 // it, so several particles go on or none.
 void Walk::meetTilted(const Particle& particle, Random& random,

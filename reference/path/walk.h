@@ -66,6 +66,7 @@ class Walk {
       : geometry_(geometry),
         bound_(bound),
         interiors_(interiors),
+        densest_(densestOf(geometry.scene(), interiors)),
         bounces_(bounces),
         channel_(channel) {}
 
@@ -101,6 +102,14 @@ class Walk {
   template <typename Leave>
   Inside passThrough(Particle& particle, Random& random, const Leave& leave) const;
 
+  /// What a place in a body of several media is of: the medium of the nearest surface.
+  const Interior& interiorAt(std::uint32_t body, const Vector& place) const {
+    return interiors_[geometry_.nearestPart(body, place)];
+  }
+
+  /// For each body the extinction of the densest of these media, 0 where there is only one.
+  static std::vector<double> densestOf(const Scene& scene, const std::vector<Interior>& interiors);
+
   /// Whether a particle gets through the layer at a point, with that cosine inside.
   static bool passes(const Interior& interior, const SurfacePoint& point, double cosine,
                      Random& random) {
@@ -116,6 +125,7 @@ class Walk {
   const Geometry& geometry_;
   const DistanceBound& bound_;
   const std::vector<Interior>& interiors_;
+  std::vector<double> densest_;
   int bounces_;
   std::size_t channel_;
 };
@@ -135,12 +145,16 @@ inline constexpr std::uint64_t mostEvents = 50'000'000;
 
 template <typename Leave>
 Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& leave) const {
+  const Scene& scene = geometry_.scene();
   const std::uint32_t body = particle.surface.body;
-  const Interior& interior = interiors_[body];
+  // Where it is of several media, particles meet the densest, and less often the others (Woodcock
+  // et al. 1965).
+  const double densest = densest_[body];
+  const double sigmaT = densest > 0 ? densest : interiors_[body].sigmaTPerMm;
   int scatterings = 0;
   int depth = 1;  // parts of the body around the particle
   for (std::uint64_t event = 0; event < mostEvents; ++event) {
-    const double step = -std::log(random()) / interior.sigmaTPerMm;
+    const double step = -std::log(random()) / sigmaT;
     if (!particle.fromSurface && step < bound_(particle.position)) {
       particle.position += step * particle.direction;
     } else {
@@ -151,12 +165,13 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
         particle.surface = hit->point;
         particle.position = hit->point.position;
         particle.fromSurface = true;
-        if (geometry_.scene().bodies[hit->point.body].opaque) {
+        if (scene.bodies[hit->point.body].opaque) {
           if (!reflectMatt(particle, random)) return Inside::Absorbed;
           continue;
         }
         // Another body has no boundary of ours, and where parts of one overlap, the outermost has.
-        if (hit->point.body != body) continue;
+        if (wholeOf(scene, hit->point.body) != wholeOf(scene, body)) continue;
+        const Interior& interior = interiors_[hit->point.body];
         if (cosine <= 0) ++depth;
         if (cosine <= 0 || --depth > 0) continue;
         depth = 1;
@@ -180,6 +195,8 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
                               : particle.position + step * particle.direction;
       particle.fromSurface = false;
     }
+    const Interior& interior = densest > 0 ? interiorAt(body, particle.position) : interiors_[body];
+    if (densest > 0 && random() * densest >= interior.sigmaTPerMm) continue;
     if (random() >= interior.albedo) return Inside::Absorbed;
     ++scatterings;
     particle.direction = scattered(particle.direction, interior.g, random);

@@ -52,11 +52,11 @@ VkAccelerationStructureGeometryKHR instancesAt(VkDeviceAddress instances) {
 // The class of a body: queries for one body alone meet those of its class.
 constexpr std::uint32_t maskBits = 8;
 
-VkAccelerationStructureInstanceKHR instanceOf(std::uint32_t body, VkDeviceAddress triangles) {
+VkAccelerationStructureInstanceKHR instanceOf(std::uint32_t name, VkDeviceAddress triangles) {
   VkAccelerationStructureInstanceKHR instance{};
   for (int axis = 0; axis < 3; ++axis) instance.transform.matrix[axis][axis] = 1.0F;
-  instance.instanceCustomIndex = body & 0xffffffU;
-  instance.mask = 1U << body % maskBits;
+  instance.instanceCustomIndex = name & 0xffffffU;
+  instance.mask = 1U << name % maskBits;
   instance.accelerationStructureReference = triangles;
   return instance;
 }
@@ -65,7 +65,8 @@ VkAccelerationStructureInstanceKHR instanceOf(std::uint32_t body, VkDeviceAddres
 
 AccelerationStructure::AccelerationStructure(Device& device, const std::string& name,
                                              Buffer& corners,
-                                             std::span<const std::uint32_t> firstTriangle)
+                                             std::span<const std::uint32_t> firstTriangle,
+                                             std::span<const std::uint32_t> nameOfBody)
     : AccelerationStructure() {
   assert(device.hasRayQueries() && firstTriangle.size() > 1);
   assert(firstTriangle.back() * triangleBytes <= corners.bytes());
@@ -78,7 +79,7 @@ AccelerationStructure::AccelerationStructure(Device& device, const std::string& 
        .memory = Memory::Upload});
   describe(corners.address(), firstTriangle);
   makeRoom(name);
-  placeBodies();
+  placeBodies(nameOfBody);
   CommandList commands(device, name, 1);
   commands.begin();
   commands.build(*this, corners, false);
@@ -152,13 +153,14 @@ void AccelerationStructure::makeRoom(const std::string& name) {
   }
 }
 
-void AccelerationStructure::placeBodies() {
+void AccelerationStructure::placeBodies(std::span<const std::uint32_t> nameOfBody) {
   const auto instances = instances_.mappedAs<VkAccelerationStructureInstanceKHR>();
   for (std::uint32_t body = 0; body < instances.size(); ++body) {
     VkAccelerationStructureDeviceAddressInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_DEVICE_ADDRESS_INFO_KHR;
     info.accelerationStructure = builds_[body].dstAccelerationStructure;
-    instances[body] = instanceOf(body, device_->rays().address(device_->handle(), &info));
+    const std::uint32_t name = nameOfBody.empty() ? body : nameOfBody[body];
+    instances[body] = instanceOf(name, device_->rays().address(device_->handle(), &info));
   }
 }
 

@@ -14,7 +14,7 @@ namespace opaline::gpu {
 class Device;
 
 /// What rays are sent through by ray queries of shaders (VK_KHR_ray_query): bodies of triangles,
-/// one instance each, whose custom index is the body's and whose mask is 1 << index % 8; where
+/// one instance each, whose custom index is the body's name and whose mask is 1 << name % 8; where
 /// there are more than eight, triangles are not opaque. Triangles move; which there are does not.
 /// Movable.
 class AccelerationStructure {
@@ -22,9 +22,11 @@ class AccelerationStructure {
   AccelerationStructure() = default;
   /// Built of the triangles as they lie: for set-up, not for frames. `corners` holds three vec4 a
   /// triangle and was made with cornersUsage; body i is the triangles from firstTriangle[i] on, and
-  /// firstTriangle has one more entry than there are bodies. Needs Device::hasRayQueries().
+  /// firstTriangle has one more entry than there are bodies. Their names are their numbers, or
+  /// those that are given. Needs Device::hasRayQueries().
   AccelerationStructure(Device& device, const std::string& name, Buffer& corners,
-                        std::span<const std::uint32_t> firstTriangle);
+                        std::span<const std::uint32_t> firstTriangle,
+                        std::span<const std::uint32_t> nameOfBody = {});
   ~AccelerationStructure();
   AccelerationStructure(AccelerationStructure&& other) noexcept;
   AccelerationStructure& operator=(AccelerationStructure&& other) noexcept;
@@ -49,7 +51,7 @@ class AccelerationStructure {
 
   void describe(VkDeviceAddress corners, std::span<const std::uint32_t> firstTriangle);
   void makeRoom(const std::string& name);
-  void placeBodies();
+  void placeBodies(std::span<const std::uint32_t> nameOfBody);
   void swap(AccelerationStructure& other) noexcept;
 
   Device* device_ = nullptr;

@@ -222,6 +222,8 @@ struct Clusters {
   FittedTree tree;
   std::uint32_t count = 0;           ///< of clusters
   std::uint32_t partsOfSurfels = 1;  ///< of the largest, shared::surfelsOfPart
+  bool haveSeveralMedia = false;     ///< those of some body
+  gpu::Buffer objectOfNode;          ///< uint a node of their tree: that of most clusters below
   bool haveLinings = false;  ///< some are of opaque things in bodies, where their light ends
   std::uint32_t tileCount = 0;
   gpu::Buffer tiles;  ///< shared::ClusterTile

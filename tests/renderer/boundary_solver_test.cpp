@@ -111,7 +111,8 @@ TEST(Division, AnOpenFloorTakesNoClustersFromABody) {
   Scene scene = sceneOf(box({0, 0, 0}, {5, 5, 5}, 4), marble(), {0, 10, 40}, 15);
   const auto clusters = [&](const std::vector<bool>& hasInside) {
     const Insides insides{hasInside, std::vector<bool>(hasInside.size(), false)};
-    return *divide(scene::mergedMesh(scene), divisionFor(scene, insides, 1'000'000, 9000)).clusters;
+    const scene::MergedMesh merged = scene::mergedMesh(scene);
+    return *divide(merged, divisionFor(scene, merged, insides, 1'000'000, 9000)).clusters;
   };
   const auto alone = clusters({true});
   scene.objects.push_back(scene.objects.front());

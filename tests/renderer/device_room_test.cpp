@@ -60,8 +60,9 @@ TEST(DeviceRoomTest, ABudgetThatFillsTheDeviceIsNotToBeRaised) {
   constexpr std::size_t surfels = 1024;
   constexpr std::size_t clusters = 64;
   Scene scene = sceneOf(sphere({0, 0, 0}, 6, 3), marble(), {0, 3, 24}, 7);
+  const scene::MergedMesh merged = scene::mergedMesh(scene);
   const Division division =
-      divide(scene::mergedMesh(scene), divisionFor(scene, {{true}, {false}}, surfels, clusters));
+      divide(merged, divisionFor(scene, merged, {{true}, {false}}, surfels, clusters));
   const std::vector<std::string> full = notesOf(division, {10'000, surfels, clusters});
   const std::vector<std::string> more = notesOf(division, {10'000, 2 * surfels, 2 * clusters});
   ASSERT_EQ(full.size(), 2U);

@@ -124,12 +124,12 @@ SurfelRange rangeOf(const surfels::Tree& tree, std::uint32_t node) {
 
 Division divisionOf(const Scene& scene, const RenderOptions& options) {
   const bool boundary = options.transport == Transport::Boundary;
-  return divide(scene::mergedMesh(scene),
-                divisionFor(scene,
-                            {std::vector<bool>(scene.objects.size(), true),
-                             std::vector<bool>(scene.objects.size(), false)},
-                            static_cast<std::size_t>(options.maxSurfels),
-                            boundary ? std::optional(options.maxClusters) : std::nullopt));
+  const scene::MergedMesh merged = scene::mergedMesh(scene);
+  return divide(merged, divisionFor(scene, merged,
+                                    {std::vector<bool>(scene.objects.size(), true),
+                                     std::vector<bool>(scene.objects.size(), false)},
+                                    static_cast<std::size_t>(options.maxSurfels),
+                                    boundary ? std::optional(options.maxClusters) : std::nullopt));
 }
 
 // `images`: Surfels, Position, Object.

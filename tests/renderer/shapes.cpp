@@ -64,6 +64,30 @@ Mesh together(const Mesh& a, const Mesh& b) {
   return sum;
 }
 
+std::array<Mesh, 2> halvesOf(const Mesh& mesh, const Vector& direction) {
+  std::array<Mesh, 2> halves;
+  std::array<std::vector<std::uint32_t>, 2> names;
+  for (std::vector<std::uint32_t>& of : names) of.assign(mesh.positionsMm.size(), ~0U);
+  for (const Triangle& t : mesh.triangles) {
+    Vector middle{};
+    for (const std::uint32_t corner : t) middle = middle + toVector(mesh.positionsMm[corner]);
+    const std::size_t which = dot(middle, direction) > 0 ? 0 : 1;
+    Mesh& half = halves[which];
+    Triangle part{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& name = names[which][t[i]];
+      if (name == ~0U) {
+        name = static_cast<std::uint32_t>(half.positionsMm.size());
+        half.positionsMm.push_back(mesh.positionsMm[t[i]]);
+        half.normals.push_back(mesh.normals[t[i]]);
+      }
+      part[i] = name;
+    }
+    half.triangles.push_back(part);
+  }
+  return halves;
+}
+
 Medium marble() {
   return {"marble", {2.19, 2.62, 3.00}, {.0021, .0041, .0071}, 1.5};
 }

@@ -53,6 +53,10 @@ Mesh sheet(const Vec3& centreMm, const Vec3& halfU, const Vec3& halfV, int cells
 /// A closed box with flat normals, cells² squares a side.
 Mesh box(const Vec3& centreMm, const Vec3& halfMm, int cells = 16);
 
+/// A surface in two parts: the triangles whose middle lies beyond the plane through the origin
+/// across a direction, and the others. Their borders lie upon each other.
+std::array<Mesh, 2> halvesOf(const Mesh& mesh, const Vector& direction);
+
 /// The surface of two meshes.
 Mesh together(const Mesh& a, const Mesh& b);
 

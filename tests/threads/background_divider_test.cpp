@@ -17,14 +17,16 @@ scene::MergedMesh ball() {
                                   static_cast<float>(10 * d[2])});
   merged.triangles.assign(sphere.triangles.begin(), sphere.triangles.end());
   merged.objectOfTriangle.assign(merged.triangles.size(), 0);
+  merged.bodyOfTriangle = merged.objectOfTriangle;
+  merged.bodyOfObject = merged.firstObjectOfBody = {0};
   return merged;
 }
 
 const surfels::Linings noLinings;
 
 DivisionOrder orderOf(int number) {
-  return {.spacingOfObjectMm = {1 + 0.2 * number},
-          .clustersOfObject = {{4.0}},
+  return {.spacingOfBodyMm = {1 + 0.2 * number},
+          .clustersOfBody = {{4.0}},
           .maxSurfels = 4096,
           .maxClusters = 256};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,15 +66,15 @@ const std::string& materialName(const Object& object) {
   return object.opaque ? object.opaque->name : object.medium.name;
 }
 
-/// One for each object.
-std::vector<MeshFacts> meshFactsOf(const Scene& scene) {
-  std::vector<MeshFacts> facts;
-  for (const Object& object : scene.objects)
-    facts.push_back(factsOf(object.mesh.positionsMm, object.mesh.triangles));
-  return facts;
-}
-
-Json objectsJson(const Scene& scene, const std::vector<MeshFacts>& facts) {
+Json objectsJson(const Scene& scene, const std::vector<BodyFacts>& bodies) {
+  std::vector<std::size_t> bodyOf(scene.objects.size());
+  std::vector<std::size_t> withoutInside(scene.objects.size());
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    for (std::size_t k = 0; k < bodies[body].objects.size(); ++k) {
+      bodyOf[bodies[body].objects[k]] = body;
+      withoutInside[bodies[body].objects[k]] = bodies[body].trianglesWithoutInside[k];
+    }
+  }
   Json objects = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
@@ -81,7 +82,8 @@ Json objectsJson(const Scene& scene, const std::vector<MeshFacts>& facts) {
                        {"triangles", object.mesh.triangles.size()},
                        {"vertices", object.mesh.positionsMm.size()},
                        {"size_mm", sizeMm(object)},
-                       {"triangles_without_inside", facts[i].trianglesWithoutInside},
+                       {"body", bodyOf[i]},
+                       {"triangles_without_inside", withoutInside[i]},
                        {"material", materialName(object)},
                        {"medium", object.opaque ? Json() : mediumJson(object.medium)}});
   }
@@ -218,12 +220,12 @@ Json collect(const Scene& scene, const LogCallback& log) {
   for (const NotShown& kind : scene.notShown) {
     notShown.push_back({{"what", kind.what}, {"count", kind.count}, {"names", kind.names}});
   }
-  const std::vector<MeshFacts> facts = meshFactsOf(scene);
-  MeshFacts sum{.closed = !facts.empty()};
-  for (const MeshFacts& of : facts) {
-    sum.closed = sum.closed && of.closed;
-    sum.boundaryLoops += of.boundaryLoops;
-    sum.components += of.components;
+  const std::vector<BodyFacts> bodies = bodiesOf(scene);
+  MeshFacts sum{.closed = !bodies.empty()};
+  for (const BodyFacts& body : bodies) {
+    sum.closed = sum.closed && body.surface.closed;
+    sum.boundaryLoops += body.surface.boundaryLoops;
+    sum.components += body.surface.components;
   }
   const Bounds bounds = boundsOf(scene);
   return {{"name", scene.name},
@@ -239,7 +241,7 @@ Json collect(const Scene& scene, const LogCallback& log) {
           {"repairs", std::move(repairs)},
           {"not_shown", std::move(notShown)},
           {"materials", materialsJson(scene)},
-          {"objects", objectsJson(scene, facts)},
+          {"objects", objectsJson(scene, bodies)},
           {"devices", devicesJson(log)}};
 }
 
@@ -259,6 +261,17 @@ std::string lengthsText(const std::array<double, 3>& mm, const char* between, in
   return fmt::format("{}{}{}{}{} {}", lengthNumber(mm[0], unit, digits), between,
                      lengthNumber(mm[1], unit, digits), between, lengthNumber(mm[2], unit, digits),
                      unit.name);
+}
+
+// Those that are of several objects.
+std::string bodiesText(const Json& objects) {
+  std::map<std::size_t, std::vector<std::string>> bodies;
+  for (const Json& object : objects)
+    bodies[object["body"].get<std::size_t>()].push_back(object["name"].get<std::string>());
+  std::string text;
+  for (const auto& [number, names] : bodies)
+    if (names.size() > 1) text += fmt::format("objects {} are one body\n", fmt::join(names, ", "));
+  return text;
 }
 
 std::string sceneText(const Scene& scene, const Json& facts) {
@@ -294,6 +307,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
           "half-space, by better-dipole\n",
           open < object.mesh.triangles.size() ? "a part of object" : "object", object.name);
   }
+  text += bodiesText(facts["objects"]);
   text += motionText(scene);
   for (const Repair& repair : scene.repairs) {
     text += fmt::format("repaired: {} {}\n", repair.count, repair.what);

@@ -89,8 +89,9 @@ MethodRow measure(View view, const MethodsOrder& order, const Image* exact,
 }
 
 bool hasInside(const Scene& scene) {
-  return std::all_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-    return factsOf(object.mesh.positionsMm, object.mesh.triangles).trianglesWithoutInside == 0;
+  const std::vector<BodyFacts> bodies = bodiesOf(scene);
+  return std::all_of(bodies.begin(), bodies.end(), [](const BodyFacts& body) {
+    return body.surface.trianglesWithoutInside == 0;
   });
 }
 

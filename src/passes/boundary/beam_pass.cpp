@@ -38,9 +38,12 @@ BeamPass::BeamPass(gpu::Device& device)
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
       nodes_(device, "nodes of points", {.ofLeaves = 0}),
       acting_(device, "points that act on groups"),
-      source_(device, "sources of fluence"),
-      singleForward_(device, "light that scatters once", {.scattersEvenly = 0}),
-      singleEven_(device, "light that scatters once", {.scattersEvenly = 1}),
+      source_{{device, "sources of fluence", {.withSeveralMedia = 0}},
+              {device, "sources of fluence", {.withSeveralMedia = 1}}},
+      singleForward_{
+          {device, "light that scatters once", {.scattersEvenly = 0, .withSeveralMedia = 0}},
+          {device, "light that scatters once", {.scattersEvenly = 0, .withSeveralMedia = 1}}},
+      singleEven_(device, "light that scatters once", {.scattersEvenly = 1, .withSeveralMedia = 0}),
       reentry_{{device, "light that enters again", {.withPaint = 0}},
                {device, "light that enters again", {.withPaint = 1}}} {}
 
@@ -153,10 +156,12 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
   for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
     listActing(commands, from, inputs, clusters, beams);
     const Part part{.isFirst = from == 0, .adds = adds || from > 0};
-    sum(commands, source_, clusters.sources, part, inputs, clusters, beams);
+    const bool several = clusters.haveSeveralMedia;
+    sum(commands, source_.of(several), clusters.sources, part, inputs, clusters, beams);
     if (!scattersOnce) continue;
-    sum(commands, inputs.tables.scattersEvenly ? singleEven_ : singleForward_, clusters.latest,
-        part, inputs, clusters, beams);
+    const bool evenly = inputs.tables.scattersEvenly && !several;
+    sum(commands, evenly ? singleEven_ : singleForward_.of(several), clusters.latest, part, inputs,
+        clusters, beams);
   }
 }
 
@@ -177,7 +182,8 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipel
                  .ranges = clusters.ranges,
                  .clusters = clusters.clusters,
                  .lists = clusters.beamLists,
-                 .sums = sums},
+                 .sums = sums,
+                 .objectOfNode = clusters.objectOfNode},
                 {.tileCount = clusters.tileCount,
                  .openingAngle = inputs.openingAngle,
                  .adds = part.adds,

@@ -77,8 +77,8 @@ class BeamPass {
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
   gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
   gpu::Compute<shaders::BoundaryBeamGroups> acting_;
-  gpu::Compute<shaders::BoundarySource> source_;
-  gpu::Compute<shaders::BoundarySingle> singleForward_;  ///< where a medium does not scatter evenly
+  Variants<shaders::BoundarySource> source_;         ///< by bodies of several media, as the next
+  Variants<shaders::BoundarySingle> singleForward_;  ///< where a medium does not scatter evenly
   gpu::Compute<shaders::BoundarySingle> singleEven_;
   Variants<shaders::BoundaryReentry> reentry_;
 };

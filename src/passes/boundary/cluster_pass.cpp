@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -64,6 +65,21 @@ std::vector<std::uint32_t> objectsOfPatches(const std::vector<shared::ClusterRan
   return objects;
 }
 
+std::uint32_t mostOf(const std::map<std::uint32_t, double>& counts) {
+  const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::max_element(counts.begin(), counts.end(), less)->first;
+}
+
+// Where it is of several objects of one body, the one that has most of its area.
+std::uint32_t objectOfMost(const core::RestSurface& surface,
+                           std::span<const surfels::Piece> pieces) {
+  std::map<std::uint32_t, double> areas;
+  for (const surfels::Piece& piece : pieces)
+    areas[surface.objectOfTriangle[piece.triangle]] +=
+        static_cast<double>(piece.fraction) * surfels::areaMm2(surface, piece.triangle);
+  return mostOf(areas);
+}
+
 std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
                                            const core::RestSurface& surface,
                                            const surfels::SurfelDivision& surfels,
@@ -79,7 +95,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
     const auto [first, end, isBack] = made.clusters[i];
     const std::span<const surfels::Piece> pieces =
         std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
-    const std::uint32_t object = surface.objectOfTriangle[pieces.front().triangle];
+    const std::uint32_t object = objectOfMost(surface, pieces);
     std::uint32_t kind = shared::opaqueBody;
     if (pieces.front().triangle >= kinds.firstLining) {
       kind = shared::lining;
@@ -104,15 +120,40 @@ std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made,
   return cluster;
 }
 
-std::vector<shared::ClusterTile> tilesOf(const surfels::ClusterDivision& made) {
+std::vector<shared::ClusterTile> tilesOf(const std::vector<shared::ClusterRange>& ranges) {
   std::vector<shared::ClusterTile> tiles;
-  for (std::uint32_t object = 0; object + 1 < made.firstOfObject.size(); ++object) {
-    const std::uint32_t end = made.firstOfObject[object + 1];
-    for (std::uint32_t first = made.firstOfObject[object]; first < end;
-         first += shared::maxClustersOfTile)
-      tiles.push_back({first, std::min(first + shared::maxClustersOfTile, end), object, 0});
+  for (std::uint32_t i = 0; i < ranges.size(); ++i) {
+    const bool fits = !tiles.empty() && tiles.back().object == ranges[i].object &&
+                      i - tiles.back().firstCluster < shared::maxClustersOfTile;
+    if (!fits) tiles.push_back({i, i, ranges[i].object, 0});
+    tiles.back().endCluster = i + 1;
   }
   return tiles;
+}
+
+// Of each node of the clusters' tree, the object of most clusters below it.
+std::vector<std::uint32_t> objectsOfNodes(const surfels::ClusterDivision& made,
+                                          const std::vector<shared::ClusterRange>& ranges) {
+  std::vector<std::uint32_t> objects;
+  std::uint32_t first = 0;  // cluster
+  for (std::uint32_t node = 0; node < made.tree.links.size(); ++node) {
+    const surfels::NodeLink link = surfels::linkOf(made.tree, node);
+    const std::uint32_t end = surfels::linkOf(made.tree, link.end - 1).first + 1;
+    std::map<std::uint32_t, double> counts;
+    for (std::uint32_t i = first; i < end; ++i) ++counts[ranges[i].object];
+    objects.push_back(mostOf(counts));
+    if (link.leaf) first = end;
+  }
+  return objects;
+}
+
+// Of the clusters of one body.
+bool haveSeveralMedia(const surfels::ClusterDivision& made,
+                      const std::vector<shared::ClusterRange>& ranges) {
+  for (std::size_t body = 0; body + 1 < made.firstOfObject.size(); ++body)
+    for (std::uint32_t i = made.firstOfObject[body]; i < made.firstOfObject[body + 1]; ++i)
+      if (ranges[i].object != ranges[made.firstOfObject[body]].object) return true;
+  return false;
 }
 
 std::uint32_t partsOf(const shared::ClusterRange& range) {
@@ -141,7 +182,8 @@ std::vector<shared::ClusterGroup> groupsOf(std::vector<shared::ClusterTile>& til
 }
 
 // By their number of clusters, so that neighbours take equally long.
-std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made) {
+std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made,
+                                            const std::vector<shared::ClusterRange>& ranges) {
   const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
   std::vector<shared::InnerNode> inner;
   for (std::uint32_t object = 0; object + 1 < roots.size(); ++object) {
@@ -151,8 +193,8 @@ std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made
       if (link.leaf)
         cluster = link.first + 1;
       else
-        inner.push_back(
-            {node, cluster, surfels::linkOf(made.tree, link.end - 1).first + 1, object});
+        inner.push_back({node, cluster, surfels::linkOf(made.tree, link.end - 1).first + 1,
+                         ranges[cluster].object});
     }
   }
   std::stable_sort(inner.begin(), inner.end(), [](const auto& a, const auto& b) {
@@ -198,13 +240,16 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
   clusters.tree = makeFittedTree(device, made.tree);
-  std::vector<shared::ClusterTile> tiles = tilesOf(made);
-  const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
   std::vector<shared::ClusterRange> ranges = rangesOf(made, surface, surfels, kinds);
+  std::vector<shared::ClusterTile> tiles = tilesOf(ranges);
+  const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
   tellTiles(tiles, ranges);
   for (const shared::ClusterRange& range : ranges)
     clusters.partsOfSurfels = std::max(clusters.partsOfSurfels, partsOf(range));
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
+  clusters.haveSeveralMedia = haveSeveralMedia(made, ranges);
+  clusters.objectOfNode = gpu::makeBuffer(device, "objects of nodes of clusters",
+                                          objectsOfNodes(made, ranges), clusterBuffer);
   clusters.haveLinings = std::any_of(
       ranges.begin(), ranges.end(), [](const auto& range) { return range.kind == shared::lining; });
   const std::vector<std::uint32_t> objectOfPatch = objectsOfPatches(ranges);
@@ -223,7 +268,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
       makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * clusters.roomOfList);
   clusters.around =
       makeRoom<std::uint32_t>(device, "clusters around tiles", tiles.size() * shared::roomOfAround);
-  const std::vector<shared::InnerNode> inner = innerNodesOf(made);
+  const std::vector<shared::InnerNode> inner = innerNodesOf(made, ranges);
   clusters.innerCount = static_cast<std::uint32_t>(inner.size());
   clusters.smallInnerCount =
       static_cast<std::uint32_t>(std::count_if(inner.begin(), inner.end(), [](const auto& node) {

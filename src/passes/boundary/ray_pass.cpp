@@ -54,7 +54,8 @@ RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
 
 RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
                                     const surfels::SurfelDivision& made,
-                                    const core::RestSurface& rest) {
+                                    const core::RestSurface& rest,
+                                    std::span<const std::uint32_t> firstObjectOfBody) {
   if (!device.hasRayQueries()) return makeBoxes(device, surfels);
   RayHierarchy hierarchy;
   hierarchy.corners = gpu::makeBuffer(device, "pieces for rays", piecesAt(made, rest),
@@ -63,8 +64,8 @@ RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
   std::vector<std::uint32_t> firstPiece;
   for (const std::uint32_t surfel : made.firstOfObject)
     firstPiece.push_back(surfel * made.piecesPerSurfel);
-  hierarchy.structure =
-      gpu::AccelerationStructure(device, "surface for rays", hierarchy.corners, firstPiece);
+  hierarchy.structure = gpu::AccelerationStructure(device, "surface for rays", hierarchy.corners,
+                                                   firstPiece, firstObjectOfBody);
   return hierarchy;
 }
 

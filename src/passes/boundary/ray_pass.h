@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
@@ -23,9 +26,11 @@ class RayPass {
   /// For set-up, not for frames. Boxes alone, for whoever looks for places.
   static RayHierarchy makeBoxes(gpu::Device& device, const Surfels& surfels);
   /// For rays: with an acceleration structure of the rest pose where the device has ray queries.
+  /// What was divided together is one body, with the name of its first object if that is given.
   static RayHierarchy makeHierarchy(gpu::Device& device, const Surfels& surfels,
                                     const surfels::SurfelDivision& made,
-                                    const core::RestSurface& rest);
+                                    const core::RestSurface& rest,
+                                    std::span<const std::uint32_t> firstObjectOfBody = {});
 
   /// Boxes only where there is no acceleration structure.
   void record(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,

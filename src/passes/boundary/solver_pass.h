@@ -57,6 +57,7 @@ class SolverPass {
   struct Pipelines {
     Variants<shaders::BoundaryDensities> densities;
     Variants<shaders::BoundaryProduct> product;
+    gpu::Compute<shaders::BoundaryProduct> productOfSeveralMedia;  ///< with linings or without
     gpu::Compute<shaders::BoundaryExitance> exitance;
   };
   static Pipelines makePipelines(gpu::Device& device, bool withPaint);

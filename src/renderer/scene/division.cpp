@@ -43,6 +43,23 @@ double longestInAnyClipMm(const Scene& scene, std::size_t object) {
 constexpr double opaqueSpacing = 0.01;
 constexpr double opaqueCluster = 0.03;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double spacingOfObjectMm(const Scene& scene, std::size_t object, double sceneMm) {
+  if (scene.objects[object].isGround) return infinity;
+  if (scene.objects[object].opaque) return opaqueSpacing * sceneMm;
+  return sizeInFreePaths * bssrdf::shortestMeanFreePathMm(scene::finestMedium(scene, object));
+}
+
+// In an open body nothing is solved: what it sends to others has only its shape.
+double clusterOfObjectMm(const Scene& scene, const Insides& insides, std::size_t object,
+                         double sceneMm) {
+  if (scene.objects[object].isGround) return surfels::asItsTriangles;
+  if (scene.objects[object].opaque) return opaqueCluster * sceneMm;
+  return insides.objectHasInside[object] ? clusterInFreePaths * longestInAnyClipMm(scene, object)
+                                         : infinity;
+}
+
 // Whether light falls on both sides of its surface.
 bool hasBack(const Scene& scene, const Insides& insides, std::size_t object) {
   return scene.objects[object].opaque &&
@@ -72,48 +89,46 @@ void noteClusters(const Division& division, const DeviceRoom& room, const LogCal
 
 }  // namespace
 
-DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_t maxSurfels,
+DivisionOrder divisionFor(const Scene& scene, const scene::MergedMesh& merged,
+                          const Insides& insides, std::size_t maxSurfels,
                           std::optional<std::size_t> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   const double sceneMm{diagonalMm(scene)};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    order.spacingOfObjectMm.push_back(
-        scene.objects[i].isGround ? infinity
-        : scene.objects[i].opaque
-            ? opaqueSpacing * sceneMm
-            : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(scene::finestMedium(scene, i)));
+  const std::size_t bodies = merged.firstObjectOfBody.size();
+  order.spacingOfBodyMm.assign(bodies, infinity);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    double& mm = order.spacingOfBodyMm[merged.bodyOfObject[i]];
+    mm = std::min(mm, spacingOfObjectMm(scene, i, sceneMm));
+  }
   if (!maxClusters) return order;
   order.maxClusters = *maxClusters;
-  // In an open body nothing is solved: what it sends to others has only its shape.
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    order.clustersOfObject.push_back({scene.objects[i].isGround ? surfels::asItsTriangles
-                                      : scene.objects[i].opaque ? opaqueCluster * sceneMm
-                                      : insides.objectHasInside[i]
-                                          ? clusterInFreePaths * longestInAnyClipMm(scene, i)
-                                          : infinity,
-                                      hasBack(scene, insides, i)});
+  order.clustersOfBody.assign(bodies, {infinity, false});
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    surfels::ClusterOrder& body = order.clustersOfBody[merged.bodyOfObject[i]];
+    body.largestMm = std::min(body.largestMm, clusterOfObjectMm(scene, insides, i, sceneMm));
+    body.bothSides = body.bothSides || hasBack(scene, insides, i);
+  }
   return order;
 }
 
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
                 const surfels::Linings& linings) {
-  const core::RestSurface surface = linings.lined(scene::surfaceOf(merged));
+  const core::RestSurface surface = linings.lined(scene::bodiesOf(merged));
   Division made{order,
-                surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels, linings),
+                surfels::makeSurfels(surface, order.spacingOfBodyMm, order.maxSurfels, linings),
                 std::nullopt};
   if (order.maxClusters > 0)
     made.clusters =
-        surfels::makeClusters(surface, made.surfels, order.clustersOfObject, order.maxClusters);
+        surfels::makeClusters(surface, made.surfels, order.clustersOfBody, order.maxClusters);
   return made;
 }
 
 void noteCoarseness(const Division& division, const DeviceRoom& room, const LogCallback& log) {
   if (!log) return;
   double coarsest = 1;
-  for (std::size_t i = 0; i < division.order.spacingOfObjectMm.size(); ++i)
-    coarsest = std::max(
-        coarsest, division.surfels.spacingOfObjectMm[i] / division.order.spacingOfObjectMm[i]);
+  for (std::size_t i = 0; i < division.order.spacingOfBodyMm.size(); ++i)
+    coarsest = std::max(coarsest,
+                        division.surfels.spacingOfObjectMm[i] / division.order.spacingOfBodyMm[i]);
   if (coarsest > 1)
     log(LogLevel::Note,
         fmt::format("the budget of {} surfels leaves them {:.1f} times as large as the medium asks "

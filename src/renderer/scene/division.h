@@ -18,16 +18,18 @@ namespace opaline {
 
 /// How finely a scene's surface is to be divided for the media it is of.
 struct DivisionOrder {
-  std::vector<double> spacingOfObjectMm;                ///< of surfels
-  std::vector<surfels::ClusterOrder> clustersOfObject;  ///< empty without clusters
+  std::vector<double> spacingOfBodyMm;                ///< of surfels
+  std::vector<surfels::ClusterOrder> clustersOfBody;  ///< empty without clusters
   std::size_t maxSurfels = 0;
   std::size_t maxClusters = 0;
 
   bool operator==(const DivisionOrder&) const = default;
 };
 
-/// Clusters where `maxClusters` says so; only then are insides asked for.
-DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_t maxSurfels,
+/// For the finest medium of each body. Clusters where `maxClusters` says so; only then are insides
+/// asked for.
+DivisionOrder divisionFor(const Scene& scene, const scene::MergedMesh& merged,
+                          const Insides& insides, std::size_t maxSurfels,
                           std::optional<std::size_t> maxClusters);
 
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/changes.h"
+#include "scene/mesh/bodies.h"
 #include "scene/mesh/insides.h"
 #include "scene/text.h"
 
@@ -52,24 +53,40 @@ surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasI
   return isSheet ? Substance::Sheet : Substance::Solid;
 }
 
+// Of each body's triangles, object after object.
+std::vector<std::vector<bool>> insideOfBodies(const Scene& scene, const scene::MergedMesh& merged) {
+  const std::vector<Mesh> bodies = scene::meshesOfBodies(scene, merged.bodyOfObject);
+  std::vector<std::vector<bool>> inside;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    // Nobody sees a ground from below.
+    const bool isGround = scene.objects[merged.firstObjectOfBody[i]].isGround;
+    inside.push_back(isGround
+                         ? std::vector<bool>(bodies[i].triangles.size(), true)
+                         : scene::trianglesWithInside(bodies[i].positionsMm, bodies[i].triangles));
+  }
+  return inside;
+}
+
 }  // namespace
 
-Insides findInsides(const Scene& scene, const LogCallback& log) {
+Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const LogCallback& log) {
   Insides insides;
+  const std::vector<std::vector<bool>> insideOfBody = insideOfBodies(scene, merged);
+  std::vector<std::size_t> seen(insideOfBody.size(), 0);  // triangles of the body
   std::vector<std::string_view> open;
   std::vector<std::string_view> openInParts;
-  for (const Object& object : scene.objects) {
-    // Nobody sees a ground from below.
-    const std::vector<bool> inside =
-        object.isGround
-            ? std::vector<bool>(object.mesh.triangles.size(), true)
-            : scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const std::uint32_t body = merged.bodyOfObject[i];
+    const std::vector<bool>& inside = insideOfBody[body];
     const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
     const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
     insides.objectHasInside.push_back(any && !object.opaque);
     insides.objectIsOpen.push_back(isOpen);
+    const auto first = inside.begin() + static_cast<std::ptrdiff_t>(seen[body]);
+    seen[body] += object.mesh.triangles.size();
     std::vector<bool>& all = insides.triangleHasInside;
-    all.insert(all.end(), inside.begin(), inside.end());
+    all.insert(all.end(), first, inside.begin() + static_cast<std::ptrdiff_t>(seen[body]));
     if (isOpen && !object.opaque) (any ? openInParts : open).emplace_back(object.name);
   }
   noteOpen(open, false, log);
@@ -84,10 +101,10 @@ surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged
   for (std::size_t t = 0; t < merged.triangles.size(); ++t)
     substances.push_back(
         substanceOf(scene, merged.objectOfTriangle[t], insides.triangleHasInside[t]));
-  surfels::Linings linings(scene::surfaceOf(merged), substances);
+  surfels::Linings linings(scene::bodiesOf(merged), substances);
   std::vector<std::string_view> sheets;
-  for (const std::uint32_t object : linings.sheetsInside())
-    sheets.emplace_back(scene.objects[object].name);
+  for (const std::uint32_t body : linings.sheetsInside())
+    sheets.emplace_back(scene.objects[merged.firstObjectOfBody[body]].name);
   noteSheetsInside(sheets, log);
   return linings;
 }

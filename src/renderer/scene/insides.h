@@ -11,13 +11,13 @@ namespace opaline {
 
 /// What has an inside; only known where there are clusters.
 struct Insides {
-  std::vector<bool> objectHasInside;      ///< it is translucent, and some part of it closed
-  std::vector<bool> objectIsOpen;         ///< some part of it is
+  std::vector<bool> objectHasInside;      ///< it is translucent, and some part of its body closed
+  std::vector<bool> objectIsOpen;         ///< some part of its body is
   std::vector<bool> triangleHasInside{};  ///< of all objects: the part that it is of is closed
 };
 
 /// Notes to `log` what is translucent and open.
-Insides findInsides(const Scene& scene, const LogCallback& log);
+Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const LogCallback& log);
 
 /// Of opaque things in translucent ones. Notes what lies in one, but cannot end its light.
 surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged,

@@ -29,7 +29,7 @@ namespace opaline {
 
 namespace {
 
-std::vector<std::uint32_t> objectsOf(const scene::MergedMesh& mesh) {
+std::vector<std::uint32_t> objectsOfVertices(const scene::MergedMesh& mesh) {
   std::vector<std::uint32_t> objects(mesh.positionsMm.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t vertex : mesh.triangles[t]) objects[vertex] = mesh.objectOfTriangle[t];
@@ -151,7 +151,8 @@ void makeMesh(gpu::Device& device, const Scene& scene, SceneResources& resources
   mesh.normals = passes::makeRoom<shared::vec4>(device, "normals", merged.positionsMm.size());
   mesh.bounds =
       gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
-  mesh.objectOf = gpu::makeBuffer(device, "objects of vertices", objectsOf(merged), storage);
+  mesh.objectOf =
+      gpu::makeBuffer(device, "objects of vertices", objectsOfVertices(merged), storage);
   mesh.indices = gpu::makeBuffer(device, "indices", merged.triangles,
                                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
   mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
@@ -173,13 +174,29 @@ void noteSpacing(SceneResources& resources) {
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     const double sources = std::max(1.0, sourcesPerSurfel * object.count);
-    object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
+    object.sourceSpacingMm = std::sqrt(object.areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
     object.coarse =
         !resources.isOpaque(i) &&
         object.sourceSpacingMm > coarseInFreePaths * bssrdf::shortestMeanFreePathMm(medium);
     resources.surfels.coarse = resources.surfels.coarse || object.coarse;
   }
+}
+
+std::vector<double> areasOfBodiesMm2(const SceneResources& resources) {
+  std::vector<double> areas(resources.merged->firstObjectOfBody.size(), 0);
+  for (std::size_t i = 0; i < resources.objects; ++i)
+    areas[resources.merged->bodyOfObject[i]] += resources.sizeOfObject[i].areaMm2;
+  return areas;
+}
+
+// Of triangles of bodies and, behind them, of their linings.
+std::vector<std::uint32_t> objectsOfTriangles(const core::RestSurface& bodies,
+                                              const scene::MergedMesh& merged) {
+  std::vector<std::uint32_t> objects = merged.objectOfTriangle;
+  for (std::size_t t = objects.size(); t < bodies.triangles.size(); ++t)
+    objects.push_back(merged.firstObjectOfBody[bodies.objectOfTriangle[t]]);
+  return objects;
 }
 
 // What the parts of the scene, and of its linings, are to boundary transport.
@@ -201,12 +218,13 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
                   SceneResources& resources) {
   const surfels::ClusterDivision& made = *division.clusters;
   for (std::size_t i = 0; i < resources.objects; ++i) {
+    const std::uint32_t body = resources.merged->bodyOfObject[i];
     SurfelsOfObject& object = resources.surfelsOfObject[i];
-    object.clusterRoot = made.tree.rootOfObject[i];
-    object.clusterEndNode = made.tree.rootOfObject[i + 1];
+    object.clusterRoot = made.tree.rootOfObject[body];
+    object.clusterEndNode = made.tree.rootOfObject[body + 1];
     object.hasInside = resources.insides.objectHasInside[i];
-    if (division.order.clustersOfObject[i].bothSides)
-      object.backClusters = (made.firstOfObject[i + 1] - made.firstOfObject[i]) / 2;
+    if (division.order.clustersOfBody[body].bothSides)
+      object.backClusters = (made.firstOfObject[body + 1] - made.firstOfObject[body]) / 2;
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
                                                          kindsOf(resources));
@@ -304,7 +322,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
     requireRoom(resources.triangles, roomOf(device.limits()), device.info().name);
   makeMesh(device, scene, resources);
   if (needs.maxClusters) {
-    resources.insides = findInsides(scene, log);
+    resources.insides = findInsides(scene, merged, log);
     resources.linings = findLinings(scene, merged, resources.insides, log);
   }
   if (needs.maxSurfels) {
@@ -338,12 +356,15 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
   std::optional<std::size_t> clusters;
   if (needs.maxClusters)
     clusters = std::min(static_cast<std::size_t>(*needs.maxClusters), room.clusters);
-  return divisionFor(scene, resources.insides,
+  return divisionFor(scene, *resources.merged, resources.insides,
                      std::min(static_cast<std::size_t>(*needs.maxSurfels), room.surfels), clusters);
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
-  const core::RestSurface surface = resources.linings.lined(scene::surfaceOf(*resources.merged));
+  const scene::MergedMesh& merged = *resources.merged;
+  const core::RestSurface bodies = resources.linings.lined(scene::bodiesOf(merged));
+  const std::vector<std::uint32_t> objects = objectsOfTriangles(bodies, merged);
+  const core::RestSurface surface{bodies.positionsMm, bodies.triangles, objects};
   resources.divided = division.order;
   resources.surfels = {};  // before memory for the next is taken
   resources.rays = {};
@@ -351,20 +372,25 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
   resources.solver = {};
   resources.surfelsOfObject.assign(resources.objects, {});
   const surfels::SurfelDivision& made = division.surfels;
+  const std::vector<double> areaOfBodyMm2 = areasOfBodiesMm2(resources);
   for (std::size_t i = 0; i < resources.objects; ++i) {
+    const std::uint32_t body = merged.bodyOfObject[i];
     SurfelsOfObject& object = resources.surfelsOfObject[i];
-    object.first = made.firstOfObject[i];
-    object.count = made.firstLiningOfObject[i] - object.first;
-    object.root = made.tree.rootOfObject[i];
-    object.endNode = made.liningRootOfObject[i];
-    object.liningEndNode = made.tree.rootOfObject[i + 1];
+    object.firstObject = merged.firstObjectOfBody[body];
+    object.areaMm2 = areaOfBodyMm2[body];
+    object.first = made.firstOfObject[body];
+    object.count = made.firstLiningOfObject[body] - object.first;
+    object.root = made.tree.rootOfObject[body];
+    object.endNode = made.liningRootOfObject[body];
+    object.liningEndNode = made.tree.rootOfObject[body + 1];
   }
   resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources),
                                                       resources.linings);
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
   if (division.clusters || resources.needs.rays)
-    resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels, made, surface);
+    resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels, made, surface,
+                                                    merged.firstObjectOfBody);
 }
 
 }  // namespace opaline

@@ -30,8 +30,10 @@ struct SceneNeeds {
   bool operator==(const SceneNeeds&) const = default;
 };
 
-/// Where an object's surfels lie among all.
+/// Where the surfels of an object's body lie among all.
 struct SurfelsOfObject {
+  std::uint32_t firstObject = 0;  ///< of those that are the body
+  double areaMm2 = 0;             ///< of the body at rest
   std::uint32_t first = 0;
   std::uint32_t count = 0;           ///< without those of its lining
   std::uint32_t root = 0;            ///< among the tree's nodes

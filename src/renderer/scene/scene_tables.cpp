@@ -207,14 +207,15 @@ class TableBuilder {
 constexpr double darkestOfMean = 1e-4;
 
 void setSum(const SurfelsOfObject& surfels, const std::array<bssrdf::Profile, 3>& profiles,
-            double areaMm2, shared::ObjectData& object) {
+            shared::ObjectData& object) {
   const double reachMm =
       surfels.coarse ? static_cast<double>(shared::reachInSpacings) * surfels.sourceSpacingMm : 0;
   object.darkest.w = static_cast<float>(reachMm);
   for (int c = 0; c < 3; ++c) {
     const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
-    if (areaMm2 > 0)
-      object.darkest[c] = static_cast<float>(darkestOfMean * profile.totalReflectance() / areaMm2);
+    if (surfels.areaMm2 > 0)
+      object.darkest[c] =
+          static_cast<float>(darkestOfMean * profile.totalReflectance() / surfels.areaMm2);
     if (!surfels.coarse) continue;
     const passes::NearbyShares shares = passes::nearbyShares(profile, reachMm);
     object.nearbyDisc[c] = static_cast<float>(shares.disc);
@@ -237,6 +238,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     const bool carries = isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
                            isOpaque ? (resources.letsLightThrough[i] ? 2U : 1U) : 0U};
+    objects[i].body = {surfels.firstObject, 0, 0, 0};
     setMediumOf(resources, i, resources.media[resources.mediumOfObject[i]], transport, objects[i]);
   }
   return objects;
@@ -253,8 +255,7 @@ void setMediumOf(const SceneResources& resources, std::size_t object, const Medi
                  Transport transport, shared::ObjectData& data) {
   if (resources.surfelsOfObject.empty()) return;
   setSum(resources.surfelsOfObject[object],
-         bssrdf::makeProfiles(bssrdf::modelOf(transport), medium),
-         resources.sizeOfObject[object].areaMm2, data);
+         bssrdf::makeProfiles(bssrdf::modelOf(transport), medium), data);
 }
 
 std::vector<shared::vec4> reflectionLobes(double roughness) {

@@ -8,6 +8,7 @@
 
 #include "core/possible_position.h"
 #include "opaline/error.h"
+#include "scene/mesh/bodies.h"
 #include "scene/mesh/insides.h"
 #include "scene/mesh/merged_mesh.h"
 #include "scene/mesh/normals.h"
@@ -73,6 +74,28 @@ MeshFacts factsOf(std::span<const Vec3> positionsMm, std::span<const Triangle> t
   facts.trianglesWithoutInside =
       static_cast<std::size_t>(std::count(inside.begin(), inside.end(), false));
   return facts;
+}
+
+std::vector<BodyFacts> bodiesOf(const Scene& scene) {
+  const std::vector<std::uint32_t> bodyOf = scene::bodyOfObjects(scene);
+  const std::vector<Mesh> meshes = scene::meshesOfBodies(scene, bodyOf);
+  std::vector<BodyFacts> bodies;
+  std::vector<std::vector<bool>> inside;
+  for (const Mesh& mesh : meshes) {
+    bodies.push_back({.surface = factsOf(mesh.positionsMm, mesh.triangles)});
+    inside.push_back(scene::trianglesWithInside(mesh.positionsMm, mesh.triangles));
+  }
+  std::vector<std::ptrdiff_t> seen(meshes.size(), 0);  // triangles of the body
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    BodyFacts& body = bodies[bodyOf[i]];
+    const auto first = inside[bodyOf[i]].begin() + seen[bodyOf[i]];
+    const auto count = static_cast<std::ptrdiff_t>(scene.objects[i].mesh.triangles.size());
+    body.objects.push_back(i);
+    body.trianglesWithoutInside.push_back(
+        static_cast<std::size_t>(std::count(first, first + count, false)));
+    seen[bodyOf[i]] += count;
+  }
+  return bodies;
 }
 
 }  // namespace opaline

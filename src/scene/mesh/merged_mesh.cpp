@@ -1,9 +1,12 @@
 #include "scene/mesh/merged_mesh.h"
 
+#include "scene/mesh/bodies.h"
+
 namespace opaline::scene {
 
 MergedMesh mergedMesh(const Scene& scene) {
   MergedMesh merged;
+  merged.bodyOfObject = bodyOfObjects(scene);
   std::uint32_t index = 0;
   for (const Object& object : scene.objects) {
     const auto base = static_cast<std::uint32_t>(merged.positionsMm.size());
@@ -13,7 +16,11 @@ MergedMesh mergedMesh(const Scene& scene) {
     for (const Triangle& t : mesh.triangles) {
       merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
     }
-    merged.objectOfTriangle.resize(merged.triangles.size(), index++);
+    merged.objectOfTriangle.resize(merged.triangles.size(), index);
+    const std::uint32_t body = merged.bodyOfObject[index];
+    merged.bodyOfTriangle.resize(merged.triangles.size(), body);
+    if (body == merged.firstObjectOfBody.size()) merged.firstObjectOfBody.push_back(index);
+    ++index;
   }
   return merged;
 }
@@ -22,6 +29,12 @@ core::RestSurface surfaceOf(const MergedMesh& merged) {
   return {.positionsMm = merged.positionsMm,
           .triangles = merged.triangles,
           .objectOfTriangle = merged.objectOfTriangle};
+}
+
+core::RestSurface bodiesOf(const MergedMesh& merged) {
+  return {.positionsMm = merged.positionsMm,
+          .triangles = merged.triangles,
+          .objectOfTriangle = merged.bodyOfTriangle};
 }
 
 }  // namespace opaline::scene

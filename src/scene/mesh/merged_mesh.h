@@ -18,11 +18,17 @@ struct MergedMesh {
   std::vector<Vec3> positionsMm;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> objectOfTriangle;
+  std::vector<std::uint32_t> bodyOfTriangle;  ///< as bodyOfObject has it
+  std::vector<std::uint32_t> bodyOfObject;    ///< see bodyOfObjects()
+  std::vector<std::uint32_t> firstObjectOfBody;
 };
 
 MergedMesh mergedMesh(const Scene& scene);
 
 /// The mesh outlives it.
 core::RestSurface surfaceOf(const MergedMesh& merged);
+
+/// The same, in which each body counts as one object: what is divided together.
+core::RestSurface bodiesOf(const MergedMesh& merged);
 
 }  // namespace opaline::scene

@@ -288,7 +288,7 @@ void main() {
   light = firstLight + beam / clusterCount;
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
-  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.w, ranges[i].object);
+  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.w, itsBody.body.x);
   Entry entry = entries[light * clusterCount + i];
   float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
   Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));

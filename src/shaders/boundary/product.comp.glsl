@@ -15,7 +15,10 @@
 #define BINDING_CLUSTER_NODES 4
 #define BINDING_CLUSTER_PAINTS 15
 #define BINDING_OPAQUE_SHARES 16
+#define BINDING_NODE_OBJECTS 17
+#define CONSTANT_SEVERAL_MEDIA 2
 #include "lib/cluster_walk.glsl"
+#include "lib/way_between.glsl"
 #define LININGS
 #include "lib/painted_cluster.glsl"
 #include "lib/tile_sum.glsl"
@@ -83,14 +86,15 @@ ActingNode actingNode(uint at) {
   vec4 blue = texelFetch(densities, first + 2);
   vec3 density = vec3(red.w, green.w, blue.w);
   vec3 mean = isLeaf(link) ? vec3(0.0) : density / max(spread.w, 1e-30);
-  vec3 second = 1.0 + medium.sigma.rgb * medium.sigma.rgb * (spread.y / 6.0);
+  takeWayFrom(at);
+  vec3 second = 1.0 + way.sigma * way.sigma * (spread.y / 6.0);
   return ActingNode(centroidLink.xyz, isLeaf(link), spread.x, spread.w, second, firstSurfelOf(link),
-                    mat3(red.xyz, green.xyz, blue.xyz), weightS * density, mean, momentOf(at));
+                    mat3(red.xyz, green.xyz, blue.xyz), weightS * way.overDiffusion * density, mean, momentOf(at));
 }
 
 // From a single layer as from its middle, and from a double one of that dipole.
 vec3 actionOf(ActingNode node, vec4 target) {
-  vec3 sigma = medium.sigma.rgb;
+  vec3 sigma = way.sigma;
   vec3 offset = node.place - target.xyz;
   float squared = dot(offset, offset);
   if (squared <= leastSquaredMm2) return vec3(0.0);
@@ -116,6 +120,7 @@ vec3 actionOf(ActingNode node, vec4 target) {
 // What acts on each cluster of the tile, for sumOfTile().
 void sumActions() {
   weightS = step > 0u ? singleLayerWeight(medium) : vec3(0.0);
+  takeWayOfTile();
   vec3 sums[maxClustersOfTile];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sums[t] = vec3(0.0);
   uint list = tileIndex * roomOfList;

@@ -6,6 +6,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#define CONSTANT_SEVERAL_MEDIA 1
 #include "lib/beam_tile.glsl"
 #include "lib/phase.glsl"
 
@@ -46,13 +47,15 @@ float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uin
 vec3 fromPlaces(BeamPoint point, vec3 arrival, float radiusMm, uint target) {
   float radius = targetNormals[target].w;
   float smoothing = 0.5 * (radius * radius + radiusMm * radiusMm);
-  vec3 extinction = medium.collision.rgb;
+  vec3 extinction = way.extinction;
   return vec3(fromPlace(point.red.xyz, arrival, extinction.r, smoothing, target),
               fromPlace(point.green.xyz, arrival, extinction.g, smoothing, target),
               fromPlace(point.blue.xyz, arrival, extinction.b, smoothing, target));
 }
 
-void addNode(BeamNode node) {
+void addNode(uint index) {
+  takeWayFrom(index);
+  BeamNode node = readListed(index);
   BeamPoint middle = BeamPoint(node.redPower, node.greenLink, node.bluePower);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
     tileLight[t] += powerOf(node) * fromPlaces(middle, node.across.xyz, 0.0, t);
@@ -103,7 +106,9 @@ vec3 ownDiscs(uint receiver) {
   return strength.rgb * its.second.rgb * sum;
 }
 
-void addPoints(uint cluster) {
+void addPoints(uint node) {
+  takeWayFrom(node);
+  uint cluster = clusterOf(readListed(node));
   uint beam = beamOf(cluster);
   uint count = unpackPointCounts(strengths[beam].w).x;
   Cluster from = clusters[cluster];
@@ -125,8 +130,8 @@ void sumList(Around around) {
   for (uint begin = 0u; begin < count; begin += sizeOfPart) {
     uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, 0.0);
     uint i = gl_LocalInvocationIndex;
-    for (uint k = i; k < ends.y; k += invocationsOfTile) addNode(readListed(sorted[k]));
-    for (uint k = ends.y + i; k < ends.w; k += invocationsOfTile) addPoints(clusterOf(readListed(sorted[k])));
+    for (uint k = i; k < ends.y; k += invocationsOfTile) addNode(sorted[k]);
+    for (uint k = ends.y + i; k < ends.w; k += invocationsOfTile) addPoints(sorted[k]);
     barrier();
   }
 }
@@ -139,6 +144,7 @@ void main() {
     tileLight[t] = vec3(0.0);
   }
   Around around = aroundTile();
+  takeWayOfTile();
   for (light = 0u; light < lights; ++light) sumList(around);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, tileLight[t]);
   uint target = gl_LocalInvocationIndex;

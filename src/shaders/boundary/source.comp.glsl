@@ -5,12 +5,13 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#define CONSTANT_SEVERAL_MEDIA 0
 #include "lib/beam_tile.glsl"
 
 // e^{-σr} / r at a squared distance.
 vec3 kernel(vec3 squared) {
   vec3 over = inversesqrt(squared);
-  return exp(-medium.sigma.rgb * (squared * over)) * over;
+  return exp(-way.sigma * (squared * over)) * over;
 }
 
 // A cluster's points.
@@ -48,7 +49,7 @@ vec3 powerOf(Sender from, uint p, BeamPoint point) {
 // kernel G, with their mean squares Q. Of that σ² tr Q/6 is as all directions are alike, but for what
 // the power has of it; the rest is ½ (r̂ᵀQr̂ - tr Q/3) (σ² + 3σ/r + 3/r²).
 vec3 withSpread(BeamNode node, vec3 place) {
-  vec3 sigma = medium.sigma.rgb;
+  vec3 sigma = way.sigma;
   mat3 square = mat3(node.square.x, node.across.xy, node.across.x, node.square.y, node.across.z,
                      node.across.yz, node.square.z);
   mat3 offsets = mat3(node.redPower.xyz - place, node.greenLink.xyz - place, node.bluePower.xyz - place);
@@ -78,7 +79,7 @@ void expand(BeamPoint point, vec3 power, float smoothing, vec3 middle) {
   vec3 y = middle.y - vec3(point.red.y, point.green.y, point.blue.y);
   vec3 z = middle.z - vec3(point.red.z, point.green.z, point.blue.z);
   vec3 squared = x * x + y * y + z * z + smoothing;
-  vec3 sigma = medium.sigma.rgb;
+  vec3 sigma = way.sigma;
   vec3 over = inversesqrt(squared);
   vec3 over2 = over * over;
   vec3 away = sigma * (squared * over);
@@ -136,17 +137,25 @@ void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
 }
 
 Sender senderAt(uint node) {
-  return senderOf(clusterOf(readListed(node)));
+  takeWayFrom(node);
+  Sender from = senderOf(clusterOf(readListed(node)));
+  from.ofFirst *= way.overDiffusion;
+  from.ofSecond *= way.overDiffusion;
+  return from;
 }
 
-void expandNode(BeamNode node, vec3 middle) {
-  expand(middlesOf(node), powerOf(node) * withSpread(node, middle), 0.0, middle);
+void expandNode(uint index, vec3 middle) {
+  takeWayFrom(index);
+  BeamNode node = readListed(index);
+  expand(middlesOf(node), powerOf(node) * way.overDiffusion * withSpread(node, middle), 0.0, middle);
 }
 
-void addNode(BeamNode node) {
+void addNode(uint index) {
+  takeWayFrom(index);
+  BeamNode node = readListed(index);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
     vec3 squared = squaredDistances(middlesOf(node), targets[t].xyz);
-    tileLight[t] += powerOf(node) * withSpread(node, targets[t].xyz) *
+    tileLight[t] += powerOf(node) * way.overDiffusion * withSpread(node, targets[t].xyz) *
                     kernel(squared + smoothingOf(targets[t].w, 0.0));
   }
 }
@@ -173,9 +182,9 @@ void sumList(Around around) {
   for (uint begin = 0u; begin < count; begin += sizeOfPart) {
     uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, leastSigma);
     uint i = gl_LocalInvocationIndex;
-    for (uint k = i; k < ends.x; k += invocationsOfTile) addNode(readListed(sorted[k]));
+    for (uint k = i; k < ends.x; k += invocationsOfTile) addNode(sorted[k]);
     for (uint k = ends.x + i; k < ends.y; k += invocationsOfTile)
-      expandNode(readListed(sorted[k]), around.middle);
+      expandNode(sorted[k], around.middle);
     for (uint k = ends.y + i; k < ends.z; k += invocationsOfTile) addPoints(senderAt(sorted[k]));
     for (uint k = ends.z + i; k < ends.w; k += invocationsOfTile)
       expandPoints(senderAt(sorted[k]), around.middle);
@@ -194,6 +203,7 @@ vec3 expandedAt(vec3 d) {
 void main() {
   if (!enterTile(tileCount)) return;
   Around around = aroundTile();
+  takeWayOfTile();
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) tileLight[t] = vec3(0.0);
   [[unroll]] for (uint t = 0u; t < termsOfExpansion; ++t) expansion[t] = vec3(0.0);
   for (light = 0u; light < lights; ++light) sumList(around);

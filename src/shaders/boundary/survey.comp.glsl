@@ -195,7 +195,7 @@ void main() {
   ObjectData body = objects[range.object];
   RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
                                rayStartOf(cluster), 3e38,
-                               RayTarget(body.tree.x, body.tree.w, range.object));
+                               RayTarget(body.tree.x, body.tree.w, body.body.x));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
   SkySeen sky = SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w, 0.0);
   if (raysOutwards > 0u) {

@@ -9,11 +9,13 @@
 #define BINDING_STRENGTHS 3
 #define BINDING_BEAM_NODES 4
 #define BINDING_TILES 5
+#define BINDING_NODE_OBJECTS 11
 #include "lib/beam.glsl"
 #include "lib/beam_node.glsl"
 #include "lib/cluster_tile.glsl"
 #include "lib/group_place.glsl"
 #include "lib/tile_sum.glsl"
+#include "lib/way_between.glsl"
 
 layout(std430, set = 0, binding = 7) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Clusters { Cluster clusters[]; };

@@ -72,6 +72,7 @@ struct ObjectData {
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where they have what is seen of some part of the body; w: 1 where
                    // it is opaque, 2 where light may go through it all the same
+  uvec4 body;      // x: the first of the objects that are one body with it
   vec4 darkest;  // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
                  // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
   vec4 nearbyDisc;  // rgb: what they lack there in even light, part of the irradiance
