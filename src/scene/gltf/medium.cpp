@@ -24,6 +24,28 @@ double etaOf(const tinygltf::Material& material) {
   return std::clamp(ior, 1.01, 3.0);
 }
 
+/// Throws Error where extras that say a medium are not of the kind that they have to be.
+void requireExtras(const Input& input, const tinygltf::Material& material) {
+  const tinygltf::Value& extras = material.extras;
+  const auto fail = [&](const char* key, const char* what) {
+    failGltf(input, fmt::format("material '{}': {} in its extras must be {}",
+                                cleanText(material.name, 60), key, what));
+  };
+  const auto requireThree = [&](const char* key) {
+    if (extras.Has(key) && !gltfNumbers<3>(extras, key)) fail(key, "three numbers");
+  };
+  for (const char* key : {"sigma_s_prime_per_mm", "sigma_a_per_mm"}) requireThree(key);
+  if (extras.Has("sigma_s_prime_per_mm") != extras.Has("sigma_a_per_mm"))
+    fail("sigma_s_prime_per_mm", "beside sigma_a_per_mm");
+  constexpr const char* path = "mean_free_path_mm";
+  if (extras.Has(path) && !gltfNumbers<3>(extras, path) && !gltfNumber(extras, path))
+    fail(path, "a number or three");
+  if (!extras.Has(path) && !extras.Has("sigma_a_per_mm")) return;  // the rest is somebody else's
+  requireThree("color");
+  for (const char* key : {"eta", "g", "ball_mm"})
+    if (extras.Has(key) && !gltfNumber(extras, key)) fail(key, "a number");
+}
+
 std::optional<Medium> fromExtras(const tinygltf::Material& material) {
   const auto scattering = gltfNumbers<3>(material.extras, "sigma_s_prime_per_mm");
   const auto absorption = gltfNumbers<3>(material.extras, "sigma_a_per_mm");
@@ -235,6 +257,7 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
   }
   const tinygltf::Material& of =
       material < 0 ? none : model.materials[static_cast<std::size_t>(material)];
+  requireExtras(input, of);
   std::optional<Medium> medium = fromExtras(of);
   std::optional<Texture> colors;
   if (const auto scattering = gltfScattering(of)) colors = colorsOf(*scattering, textures);

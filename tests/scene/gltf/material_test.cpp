@@ -215,6 +215,13 @@ TEST_F(GltfMaterial, CustomPropertiesSayHowItLooks) {
   for (const NotShown& kind : scene.notShown) EXPECT_NE(kind.what, "base colours");
   EXPECT_THAT(errorOf(parts(R"({"extras":{"mean_free_path_mm":-1}})")),
               HasSubstr("mean_free_path_mm"));
+  EXPECT_THAT(errorOf(parts(R"({"name":"wax","extras":{"mean_free_path_mm":1,"ball_mm":"40"}})")),
+              HasSubstr("material 'wax': ball_mm in its extras must be a number"));
+  EXPECT_THAT(errorOf(parts(R"({"extras":{"mean_free_path_mm":[1,2]}})")),
+              HasSubstr("must be a number or three"));
+  EXPECT_THAT(errorOf(parts(R"({"extras":{"sigma_s_prime_per_mm":[1,1,1]}})")),
+              HasSubstr("must be beside sigma_a_per_mm"));
+  EXPECT_NO_THROW(load(parts(R"({"extras":{"color":"red","g":"?"}})")));  // somebody else's
 }
 
 // Kulla and Conty 2017, as the drafts have it: .37 becomes an albedo of .83 (worked out by hand).
