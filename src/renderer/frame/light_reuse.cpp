@@ -18,7 +18,7 @@ bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
 
 bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan, bool reuse,
                           const SceneChanges& changes, ViewResources& view) {
-  const bool rays = plan.mirrorsSky || plan.areaLights > 0 || plan.transport == Transport::Boundary;
+  const bool rays = sendsRays(plan);
   const ViewResources::Lit now{options, changes, plan.site, plan.map, rays};
   const bool hasSurfels = options.sum != Sum::Pattern;
   const bool readsSurfels = rays || (hasSurfels && (plan.site != Site::Vertex || plan.irradiance));
