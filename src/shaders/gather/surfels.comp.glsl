@@ -65,17 +65,14 @@ float visibilityOn(vec3 position, vec3 outside, IncidentLight light) {
   return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
 }
 
-void keepLight(uint piece, PiecePlace place, vec3 position, uint k, uint point) {
-  IncidentLight light = incidentLight(k, position);
-  keep(visibilityOn(position, keptSideOf(piece, place, light), light), k, piece, point);
-}
-
+// In the middle, which stands for all of its points: pieces are small against a surfel of several.
 void keepVisibility(uint piece) {
   PiecePlace place = placeOf(pieceAt(piece));
-  for (uint i = 0u; i < pointsPerPiece; ++i) {
-    vec3 position = positionAt(place, pointOf(place.corners, i));
-    for (uint k = 0u; k < lightsAt(position); ++k)
-      keepLight(piece, place, position, k, i);
+  vec3 position = positionAt(place, middleOf(place.corners));
+  for (uint k = 0u; k < lightsAt(position); ++k) {
+    IncidentLight light = incidentLight(k, position);
+    float visible = visibilityOn(position, keptSideOf(piece, place, light), light);
+    for (uint i = 0u; i < pointsPerPiece; ++i) keep(visible, k, piece, i);
   }
 }
 
