@@ -16,16 +16,19 @@ if(OPALINE_FUZZ)
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
 endif()
+# Apart, for examples, which are compiled with nobody's warnings but their own.
+add_library(opaline_sanitizers INTERFACE)
+target_link_libraries(opaline_warnings INTERFACE opaline_sanitizers)
 if(OPALINE_SANITIZE STREQUAL "thread")
-  target_compile_options(opaline_warnings INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
-  target_link_options(opaline_warnings INTERFACE -fsanitize=thread)
+  target_compile_options(opaline_sanitizers INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
+  target_link_options(opaline_sanitizers INTERFACE -fsanitize=thread)
 elseif(OPALINE_SANITIZE)
-  target_compile_options(opaline_warnings INTERFACE
+  target_compile_options(opaline_sanitizers INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
-  target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
+  target_link_options(opaline_sanitizers INTERFACE -fsanitize=address,undefined)
   add_library(opaline_kept_modules SHARED ${PROJECT_SOURCE_DIR}/tools/keep_modules.cpp)
-  target_link_libraries(opaline_warnings INTERFACE opaline_kept_modules)
+  target_link_libraries(opaline_sanitizers INTERFACE opaline_kept_modules)
 endif()
 
 # Lets a target include what is in a folder as "<folder>/...", and nothing beside that folder. Of a folder in a folder of
