@@ -24,6 +24,7 @@ FaultLayer::FaultLayer() {
   if (library == nullptr) throw std::runtime_error(dlerror());
   find(library, "opalineArmFault", arm_);
   find(library, "opalineHideFunction", hide_);
+  find(library, "opalineHideExtension", hideExtension_);
   find(library, "opalineFaultedFunction", faulted_);
   find(library, "opalineLivingObjects", living_);
   find(library, "opalineDescribeLivingObjects", describe_);

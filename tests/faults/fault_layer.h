@@ -18,6 +18,8 @@ class FaultLayer {
   void disarm() { arm_(VK_SUCCESS, 0, nullptr); }
   /// The driver has no such function of devices; null: it has all of them again.
   void hide(const char* function) { hide_(function); }
+  /// Devices do not list that extension; null: they list all they have again.
+  void hideExtension(const char* extension) { hideExtension_(extension); }
   /// The function that failed since then; empty if none has.
   std::string faulted() const;
   /// Objects that were created and not destroyed.
@@ -27,6 +29,7 @@ class FaultLayer {
  private:
   void (*arm_)(std::int32_t, std::uint64_t, const char*) = nullptr;
   void (*hide_)(const char*) = nullptr;
+  void (*hideExtension_)(const char*) = nullptr;
   const char* (*faulted_)() = nullptr;
   std::int64_t (*living_)() = nullptr;
   const char* (*describe_)() = nullptr;

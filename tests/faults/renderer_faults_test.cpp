@@ -15,6 +15,7 @@
 #include "faults/tiny_options.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
+#include "opaline/vulkan.h"
 #include "renderer/shapes.h"
 
 namespace opaline {
@@ -106,6 +107,33 @@ TEST(FaultsOfDrivers, ADriverWithoutAFunctionIsRefusedAndLeavesNothing) {
     faultLayer().hide(nullptr);
     EXPECT_EQ(faultLayer().living(), 0) << faultLayer().describeLiving();
   }
+}
+
+TEST(FaultsOfDrivers, ADeviceThatLacksSomethingSaysSoBeforeItIsOpenedAndThen) {
+  faultLayer();
+  VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.apiVersion = vulkanNeeds().apiVersion;
+  VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  VkInstance instance = VK_NULL_HANDLE;
+  ASSERT_EQ(vkCreateInstance(&info, nullptr, &instance), VK_SUCCESS);
+  std::uint32_t one = 1;
+  VkPhysicalDevice device = VK_NULL_HANDLE;
+  ASSERT_GE(vkEnumeratePhysicalDevices(instance, &one, &device), VK_SUCCESS);
+  EXPECT_EQ(whatIsMissing(instance, device), "");
+  faultLayer().hideExtension("VK_KHR_push_descriptor");
+  const std::string sentence = whatIsMissing(instance, device);
+  EXPECT_NE(sentence.find("lacks VK_KHR_push_descriptor; update its driver"), std::string::npos)
+      << sentence;
+  EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+  try {
+    const Renderer renderer;
+    ADD_FAILURE() << "opened without it";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), sentence);
+  }
+  faultLayer().hideExtension(nullptr);
+  vkDestroyInstance(instance, nullptr);
 }
 
 class FaultsOfMemory : public Faults {};

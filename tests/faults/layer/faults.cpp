@@ -2,6 +2,7 @@
 
 #include <vulkan/vk_layer.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -368,6 +369,21 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallba
 PFN_vkVoidFunction ours(std::string_view name);
 
 std::string hiddenFunction;
+std::string hiddenExtension;
+
+VKAPI_ATTR VkResult VKAPI_CALL listExtensions(VkPhysicalDevice physical, const char* layer,
+                                              std::uint32_t* count, VkExtensionProperties* list) {
+  const VkResult result =
+      Failing<PFN_vkEnumerateDeviceExtensionProperties,
+              call_vkEnumerateDeviceExtensionProperties>::run(physical, layer, count, list);
+  if (result < 0 || list == nullptr) return result;
+  VkExtensionProperties* end =
+      std::remove_if(list, list + *count, [](const VkExtensionProperties& extension) {
+        return hiddenExtension == extension.extensionName;
+      });
+  *count = static_cast<std::uint32_t>(end - list);
+  return result;
+}
 
 }  // namespace
 
@@ -404,6 +420,7 @@ PFN_vkVoidFunction ours(std::string_view name) {
   if (name == "vkDestroyInstance") return as(destroyInstance);
   if (name == "vkCreateDevice") return as(makeDevice);
   if (name == "vkDestroyDevice") return as(destroyDevice);
+  if (name == "vkEnumerateDeviceExtensionProperties") return as(listExtensions);
   if (name == "vkGetInstanceProcAddr") return as(opalineGetInstanceProcAddr);
   if (name == "vkGetDeviceProcAddr") return as(opalineGetDeviceProcAddr);
   for (const Entry& entry : entries)
@@ -419,6 +436,10 @@ OPALINE_EXPORT void opalineArmFault(std::int32_t result, std::uint64_t nth, cons
 
 OPALINE_EXPORT void opalineHideFunction(const char* function) {
   hiddenFunction = function == nullptr ? "" : function;
+}
+
+OPALINE_EXPORT void opalineHideExtension(const char* extension) {
+  hiddenExtension = extension == nullptr ? "" : extension;
 }
 
 OPALINE_EXPORT std::uint64_t opalineCallsSinceArmed() {

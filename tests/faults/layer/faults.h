@@ -20,6 +20,8 @@ void opalineArmFault(std::int32_t result, std::uint64_t nth, const char* functio
 std::uint64_t opalineCallsSinceArmed();
 /// The driver has no such function of devices; null: it has all of them again.
 void opalineHideFunction(const char* function);
+/// Devices do not list that extension; null: they list all they have again.
+void opalineHideExtension(const char* extension);
 /// The function that failed; null if none has.
 const char* opalineFaultedFunction();
 /// Objects that have been created and not destroyed, memory and devices among them.
