@@ -1,7 +1,6 @@
-"""The module says what it has: stubs, texts of help, errors, examples, and a wheel that can be installed."""
+"""The module says what it has: stubs, texts of help, errors, and a wheel that can be installed."""
 
 import ast
-import importlib.util
 import inspect
 import os
 import pathlib
@@ -15,7 +14,6 @@ import opaline
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("BUILD", ROOT / "build" / "release"))
 HAS_PIP = subprocess.run([sys.executable, "-m", "pip", "--version"], capture_output=True, check=False).returncode == 0
-HAS_SCIPY = importlib.util.find_spec("scipy") is not None
 
 
 def public(names):
@@ -59,25 +57,11 @@ class Module(unittest.TestCase):
         self.assertTrue(issubclass(opaline.Error, RuntimeError))
         self.assertTrue(issubclass(opaline.UsageError, ValueError))
         self.assertTrue(issubclass(opaline.UsageError, opaline.Error))
-        with self.assertRaisesRegex(opaline.Error, "no such device"):
-            try:
-                opaline.Renderer(opaline.teapot(), device="no such device")
-            except opaline.Error as error:
-                raise opaline.Error(f"no such device: {error}") from error
+        with self.assertRaisesRegex(opaline.UsageError, '"no such device"'):
+            opaline.Renderer(opaline.teapot(), device="no such device")
 
     def test_version(self):
         self.assertRegex(opaline.__version__, r"^0\.\d+\.\d+$")
-
-    def test_examples(self):
-        examples = sorted((ROOT / "examples" / "python").glob("*.py"))
-        self.assertGreater(len(examples), 1)
-        for example in examples:
-            if "scipy" in example.read_text() and not HAS_SCIPY:
-                self.skipTest(f"{example.name} needs SciPy")
-            with self.subTest(example.name), tempfile.TemporaryDirectory() as folder:
-                done = subprocess.run([sys.executable, example, "--quick"], cwd=folder, capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertTrue(list(pathlib.Path(folder).iterdir()))
 
     @unittest.skipUnless(HAS_PIP, "this Python has no pip")
     def test_the_wheel(self):
