@@ -16,7 +16,7 @@ apt_packages=(
   "${apt_library[@]}"
   make git pkg-config vulkan-validationlayers
   libglfw3-dev libimgui-dev libfontconfig-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
-  pybind11-dev python3-dev python3-numpy python3-scipy
+  pybind11-dev python3-dev python3-numpy python3-scipy python3-matplotlib
   xvfb xauth xdotool imagemagick x11-utils
 )
 # The checks of `make test` are written for version 14; see tools/clang_tools.py.
@@ -32,7 +32,7 @@ dnf_packages=(
   "${dnf_library[@]}"
   make git pkgconf vulkan-validation-layers
   glfw-devel imgui-devel fontconfig-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
-  pybind11-devel python3-devel python3-numpy python3-scipy
+  pybind11-devel python3-devel python3-numpy python3-scipy python3-matplotlib
   xorg-x11-server-Xvfb xauth xdotool xprop ImageMagick
 )
 
@@ -104,7 +104,7 @@ on_unknown_system() {
   cat >&2 <<END
 install-dependencies: this system has neither apt nor dnf. Opaline needs a C++20 compiler, CMake 3.22,
 Ninja, git, Python 3, glslc, a Vulkan 1.3 driver with loader and validation layers, and the headers of
-Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3 or 4, TBB, pybind11, GoogleTest; NumPy, SciPy.
+Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3 or 4, TBB, pybind11, GoogleTest; NumPy, SciPy, Matplotlib.
 END
   if [ "${#missing[@]}" -gt 0 ]; then
     echo "install-dependencies: not found here: ${missing[*]}" >&2
