@@ -13,7 +13,7 @@ from blender_test import BLENDER, HERE, BlenderTest
 class Viewport(BlenderTest):
     def start_display(self):
         read, write = os.pipe()
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "480x360x24", "-nolisten", "tcp"],
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
                                   pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         self.addCleanup(server.wait)
@@ -22,11 +22,12 @@ class Viewport(BlenderTest):
             return ":" + pipe.readline().strip()
 
     def run_in_window(self, script):
-        words = [BLENDER, "--factory-startup", "--window-geometry", "0", "0", "480", "360", "--python", HERE / "inside" / f"{script}.py",
-                 "--", self.folder]
+        words = [BLENDER, "--factory-startup", "--window-geometry", "0", "0", "640", "480",  # the least that Blender takes
+                 "--python", HERE / "inside" / f"{script}.py", "--", self.folder]
         text = self.run_blender(words, DISPLAY=self.start_display())
         self.assertIn("DONE", text)
 
+    @unittest.skipIf(shutil.which("import") is None, "ImageMagick's import is not installed")
     def test_it_follows_what_an_artist_does(self):
         self.run_in_window("viewport")
 

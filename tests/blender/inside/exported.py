@@ -76,6 +76,7 @@ def subsurface():
     for name, length in (("plain", None), ("told", (2.0, 1.0, 0.5))):
         if length:
             made["mean_free_path_mm"] = length
+            made.update_tag()  # else an exporter that applies modifiers may see the material as it was
         bpy.ops.export_scene.gltf(filepath=str(common.FOLDER / f"{name}.glb"), export_apply=True, export_extras=True)
 
 

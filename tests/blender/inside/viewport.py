@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import subprocess
 import sys
 import time
 
@@ -20,13 +21,15 @@ def view_area():
 
 
 def shot(name):
-    """What the window's view shows: array (height, width, 3)."""
-    window, area = bpy.context.window_manager.windows[0], view_area()
-    region = next(region for region in area.regions if region.type == "WINDOW")
+    """What the display shows of the window's view: array (height, width, 3). Blender 4.3's own screenshots are black on Mesa's
+    software device."""
+    window, region = bpy.context.window_manager.windows[0], next(part for part in view_area().regions if part.type == "WINDOW")
     file = common.FOLDER / f"{name}.png"
-    with bpy.context.temp_override(window=window, area=area, region=region):
-        bpy.ops.screen.screenshot_area(filepath=str(file))
-    return common.picture(file)[..., :3]
+    subprocess.run(["import", "-silent", "-window", "root", file], check=True)
+    display = common.picture(file)[..., :3]
+    common.check(display.shape[:2] == (window.height, window.width), f"the window does not fill the display: {display.shape}")
+    top = window.height - region.y - region.height
+    return display[top:top + region.height, region.x:region.x + region.width]
 
 
 def middle(shown):
