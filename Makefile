@@ -116,7 +116,7 @@ format:
 asan: dependencies
 	cmake --preset asan $(LAUNCHER)
 	cmake --build --preset asan
-	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp $(PYTHON) tools/run_tests.py asan
+	LSAN_OPTIONS=print_suppressions=0:suppressions=$(CURDIR)/tools/lsan.supp $(PYTHON) tools/run_tests.py asan
 
 tsan: dependencies
 	cmake --preset tsan $(LAUNCHER)
