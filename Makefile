@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz hostile faults properties soak endurance package package-check install python wheel blender dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz hostile faults properties soak endurance package package-check bare-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -41,6 +41,7 @@ help:
 	@echo 'make blender   the add-on for Blender as a zip in build/release/'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
 	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
+	@echo 'make bare-check  the same, static and shared, in a Debian root with nothing else; as root, needs debootstrap'
 
 dependencies:
 	@scripts/install-dependencies.sh
@@ -152,6 +153,9 @@ package-check: dependencies
 	cmake --preset library -B build/shared -DBUILD_SHARED_LIBS=ON $(LAUNCHER)
 	cmake --build build/shared
 	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test same_pictures_test
+
+bare-check:
+	scripts/test-bare-library.sh build/bare
 
 endurance: configure
 	cmake --build --preset release --target opaline fault_layer
