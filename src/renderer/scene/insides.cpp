@@ -9,7 +9,6 @@
 
 #include "scene/changes.h"
 #include "scene/mesh/bodies.h"
-#include "scene/mesh/insides.h"
 #include "scene/text.h"
 
 namespace opaline {
@@ -53,40 +52,35 @@ surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasI
   return isSheet ? Substance::Sheet : Substance::Solid;
 }
 
-// Of each body's triangles, object after object.
-std::vector<std::vector<bool>> insideOfBodies(const Scene& scene, const scene::MergedMesh& merged) {
-  const std::vector<Mesh> bodies = scene::meshesOfBodies(scene, merged.bodyOfObject);
-  std::vector<std::vector<bool>> inside;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    // Nobody sees a ground from below.
-    const bool isGround = scene.objects[merged.firstObjectOfBody[i]].isGround;
-    inside.push_back(isGround
-                         ? std::vector<bool>(bodies[i].triangles.size(), true)
-                         : scene::trianglesWithInside(bodies[i].positionsMm, bodies[i].triangles));
-  }
+// Of every object's triangles.
+std::vector<std::vector<bool>> insideOf(const Scene& scene, const scene::MergedMesh& merged) {
+  std::vector<std::vector<bool>> inside = scene::insideOfObjects(scene, merged.bodyOfObject);
+  // Nobody sees a ground from below.
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (scene.objects[i].isGround) inside[i].assign(inside[i].size(), true);
   return inside;
 }
 
 }  // namespace
 
 Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const LogCallback& log) {
+  const std::vector<std::vector<bool>> insideOfObject = insideOf(scene, merged);
+  std::vector<bool> bodyHasInside(merged.firstObjectOfBody.size(), false);
+  std::vector<bool> bodyIsOpen(merged.firstObjectOfBody.size(), false);
   Insides insides;
-  const std::vector<std::vector<bool>> insideOfBody = insideOfBodies(scene, merged);
-  std::vector<std::size_t> seen(insideOfBody.size(), 0);  // triangles of the body
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::vector<bool>& inside = insideOfObject[i];
+    insides.triangleHasInside.insert(insides.triangleHasInside.end(), inside.begin(), inside.end());
+    for (const bool has : inside) (has ? bodyHasInside : bodyIsOpen)[merged.bodyOfObject[i]] = true;
+  }
   std::vector<std::string_view> open;
   std::vector<std::string_view> openInParts;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const std::uint32_t body = merged.bodyOfObject[i];
-    const std::vector<bool>& inside = insideOfBody[body];
-    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
-    const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
+    const bool any = bodyHasInside[merged.bodyOfObject[i]];
+    const bool isOpen = bodyIsOpen[merged.bodyOfObject[i]];
     insides.objectHasInside.push_back(any && !object.opaque);
     insides.objectIsOpen.push_back(isOpen);
-    const auto first = inside.begin() + static_cast<std::ptrdiff_t>(seen[body]);
-    seen[body] += object.mesh.triangles.size();
-    std::vector<bool>& all = insides.triangleHasInside;
-    all.insert(all.end(), first, inside.begin() + static_cast<std::ptrdiff_t>(seen[body]));
     if (isOpen && !object.opaque) (any ? openInParts : open).emplace_back(object.name);
   }
   noteOpen(open, false, log);

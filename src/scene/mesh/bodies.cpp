@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "scene/mesh/insides.h"
 #include "scene/repair/topology.h"
 
 namespace opaline::scene {
@@ -14,14 +15,14 @@ bool mayHangTogether(const Object& object) {
   return !object.opaque && !object.isGround;
 }
 
-void append(const Mesh& mesh, Mesh& all) {
-  const auto base = static_cast<std::uint32_t>(all.positionsMm.size());
-  all.positionsMm.insert(all.positionsMm.end(), mesh.positionsMm.begin(), mesh.positionsMm.end());
-  for (const Triangle& t : mesh.triangles)
-    all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-}
-
 }  // namespace
+
+void append(const Mesh& mesh, std::vector<Vec3>& positionsMm, std::vector<Triangle>& triangles) {
+  const auto base = static_cast<std::uint32_t>(positionsMm.size());
+  positionsMm.insert(positionsMm.end(), mesh.positionsMm.begin(), mesh.positionsMm.end());
+  for (const Triangle& t : mesh.triangles)
+    triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
 
 std::vector<std::uint32_t> bodyOfObjects(const Scene& scene) {
   const std::vector<Object>& objects = scene.objects;
@@ -31,7 +32,7 @@ std::vector<std::uint32_t> bodyOfObjects(const Scene& scene) {
     std::vector<std::uint32_t> objectOfTriangle;
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
       if (!mayHangTogether(objects[i])) continue;
-      append(objects[i].mesh, all);
+      append(objects[i].mesh, all.positionsMm, all.triangles);
       objectOfTriangle.resize(all.triangles.size(), i);
     }
     const std::vector<Triangle> surface =
@@ -56,9 +57,26 @@ std::vector<Mesh> meshesOfBodies(const Scene& scene,
   std::vector<Mesh> bodies;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (bodyOfObject[i] == bodies.size()) bodies.emplace_back();
-    append(scene.objects[i].mesh, bodies[bodyOfObject[i]]);
+    Mesh& body = bodies[bodyOfObject[i]];
+    append(scene.objects[i].mesh, body.positionsMm, body.triangles);
   }
   return bodies;
+}
+
+std::vector<std::vector<bool>> insideOfObjects(const Scene& scene,
+                                               const std::vector<std::uint32_t>& bodyOfObject) {
+  std::vector<std::vector<bool>> ofBodies;
+  for (const Mesh& mesh : meshesOfBodies(scene, bodyOfObject))
+    ofBodies.push_back(trianglesWithInside(mesh.positionsMm, mesh.triangles));
+  std::vector<std::ptrdiff_t> seen(ofBodies.size(), 0);  // triangles
+  std::vector<std::vector<bool>> ofObjects;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::uint32_t body = bodyOfObject[i];
+    const auto first = ofBodies[body].begin() + seen[body];
+    seen[body] += static_cast<std::ptrdiff_t>(scene.objects[i].mesh.triangles.size());
+    ofObjects.emplace_back(first, ofBodies[body].begin() + seen[body]);
+  }
+  return ofObjects;
 }
 
 }  // namespace opaline::scene

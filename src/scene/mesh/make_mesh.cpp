@@ -52,7 +52,10 @@ Mesh makeMesh(std::vector<Vec3> positionsMm, std::vector<Triangle> triangles) {
   return mesh;
 }
 
-MeshFacts factsOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
+namespace {
+
+// All but what has an inside.
+MeshFacts bordersAndParts(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
   scene::requireSound(positionsMm, triangles);
   const std::vector<Triangle> surface =
       scene::renamed(triangles, scene::sewn(positionsMm, triangles));
@@ -70,30 +73,34 @@ MeshFacts factsOf(std::span<const Vec3> positionsMm, std::span<const Triangle> t
   const scene::Borders borders = scene::bordersOf(surface, scene::sortedHalfEdges(surface));
   facts.boundaryLoops = borders.loops;
   facts.closed = borders.sides == 0 && !triangles.empty();
-  const std::vector<bool> inside = scene::trianglesWithInside(positionsMm, triangles);
-  facts.trianglesWithoutInside =
-      static_cast<std::size_t>(std::count(inside.begin(), inside.end(), false));
+  return facts;
+}
+
+std::size_t withoutInside(const std::vector<bool>& inside) {
+  return static_cast<std::size_t>(std::count(inside.begin(), inside.end(), false));
+}
+
+}  // namespace
+
+MeshFacts factsOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
+  MeshFacts facts = bordersAndParts(positionsMm, triangles);
+  facts.trianglesWithoutInside = withoutInside(scene::trianglesWithInside(positionsMm, triangles));
   return facts;
 }
 
 std::vector<BodyFacts> bodiesOf(const Scene& scene) {
+  for (const Object& object : scene.objects)
+    scene::requireSound(object.mesh.positionsMm, object.mesh.triangles);
   const std::vector<std::uint32_t> bodyOf = scene::bodyOfObjects(scene);
-  const std::vector<Mesh> meshes = scene::meshesOfBodies(scene, bodyOf);
   std::vector<BodyFacts> bodies;
-  std::vector<std::vector<bool>> inside;
-  for (const Mesh& mesh : meshes) {
-    bodies.push_back({.surface = factsOf(mesh.positionsMm, mesh.triangles)});
-    inside.push_back(scene::trianglesWithInside(mesh.positionsMm, mesh.triangles));
-  }
-  std::vector<std::ptrdiff_t> seen(meshes.size(), 0);  // triangles of the body
+  for (const Mesh& mesh : scene::meshesOfBodies(scene, bodyOf))
+    bodies.push_back({.surface = bordersAndParts(mesh.positionsMm, mesh.triangles)});
+  const std::vector<std::vector<bool>> inside = scene::insideOfObjects(scene, bodyOf);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     BodyFacts& body = bodies[bodyOf[i]];
-    const auto first = inside[bodyOf[i]].begin() + seen[bodyOf[i]];
-    const auto count = static_cast<std::ptrdiff_t>(scene.objects[i].mesh.triangles.size());
     body.objects.push_back(i);
-    body.trianglesWithoutInside.push_back(
-        static_cast<std::size_t>(std::count(first, first + count, false)));
-    seen[bodyOf[i]] += count;
+    body.trianglesWithoutInside.push_back(withoutInside(inside[i]));
+    body.surface.trianglesWithoutInside += body.trianglesWithoutInside.back();
   }
   return bodies;
 }

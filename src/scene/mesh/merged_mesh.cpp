@@ -9,13 +9,7 @@ MergedMesh mergedMesh(const Scene& scene) {
   merged.bodyOfObject = bodyOfObjects(scene);
   std::uint32_t index = 0;
   for (const Object& object : scene.objects) {
-    const auto base = static_cast<std::uint32_t>(merged.positionsMm.size());
-    const Mesh& mesh = object.mesh;
-    merged.positionsMm.insert(merged.positionsMm.end(), mesh.positionsMm.begin(),
-                              mesh.positionsMm.end());
-    for (const Triangle& t : mesh.triangles) {
-      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-    }
+    append(object.mesh, merged.positionsMm, merged.triangles);
     merged.objectOfTriangle.resize(merged.triangles.size(), index);
     const std::uint32_t body = merged.bodyOfObject[index];
     merged.bodyOfTriangle.resize(merged.triangles.size(), body);
