@@ -2,7 +2,7 @@
 # static library <target>. "shaders/<name>.<stage>.h" (less folders of the name up to shaders/) is made
 # beside, see cmake/shader_interface.py: boundary/beams.comp.glsl is opaline::shaders::BoundaryBeams, and
 # scatter/surface.vert.glsl ScatterSurfaceVert. An entry <file>:<variant> after its file is the same
-# with VARIANT defined.
+# with VARIANT defined. Files with lib/texels.glsl also have the variant storage.
 
 find_program(GLSLC glslc REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -23,6 +23,31 @@ function(opaline_shader_type result name stage)
   set(${result} ${type} PARENT_SCOPE)
 endfunction()
 
+# Whether a file includes lib/texels.glsl, at whatever remove; FOLDERs are where includes are looked for.
+function(opaline_reads_texels result file) # FOLDER...
+  get_property(known GLOBAL PROPERTY opaline_reads_texels_${file})
+  if("${known}" STREQUAL "")
+    set(known FALSE)
+    get_filename_component(beside ${file} DIRECTORY)
+    file(STRINGS ${file} includes REGEX "^#include \".*[.]glsl\"")
+    foreach(include ${includes})
+      string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" include ${include})
+      if(include STREQUAL lib/texels.glsl)
+        set(known TRUE)
+        break()
+      endif()
+      unset(path)  # as it is in the file that includes this one
+      find_file(path ${include} PATHS ${beside} ${ARGN} NO_CACHE NO_DEFAULT_PATH REQUIRED)
+      opaline_reads_texels(known ${path} ${ARGN})
+      if(known)
+        break()
+      endif()
+    endforeach()
+    set_property(GLOBAL PROPERTY opaline_reads_texels_${file} ${known})
+  endif()
+  set(${result} ${known} PARENT_SCOPE)
+endfunction()
+
 function(opaline_shaders target)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(interface ${PROJECT_SOURCE_DIR}/cmake/shader_interface.py)
@@ -31,6 +56,8 @@ function(opaline_shaders target)
     list(APPEND shared ${folder}=${PROJECT_SOURCE_DIR}/src/${folder})
   endforeach()
   set(groups ${PROJECT_SOURCE_DIR}/src/shaders/binding_groups.h)
+  set(folders ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/src/shaders ${PROJECT_SOURCE_DIR}/src)
+  list(TRANSFORM folders PREPEND -I OUTPUT_VARIABLE include)
   set(files)
   foreach(entry ${ARGN})
     string(REGEX MATCH "^((.*)\\.(vert|frag|comp)\\.glsl)(:([a-z_]+))?$" matched ${entry})
@@ -38,10 +65,16 @@ function(opaline_shaders target)
       message(FATAL_ERROR "A shader is named <name>.<vert|frag|comp>.glsl[:<variant>], not ${entry}")
     endif()
     if(NOT CMAKE_MATCH_5)
-      list(APPEND files ${CMAKE_MATCH_1})
-      set(variants_${CMAKE_MATCH_1})
+      set(file ${CMAKE_MATCH_1})
+      list(APPEND files ${file})
+      set(variants_${file} "=")
+      opaline_reads_texels(reads ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${folders})
+      if(reads)
+        list(APPEND variants_${file} "=storage")
+      endif()
+    else()
+      list(APPEND variants_${CMAKE_MATCH_1} "=${CMAKE_MATCH_5}")
     endif()
-    list(APPEND variants_${CMAKE_MATCH_1} "=${CMAKE_MATCH_5}")
   endforeach()
 
   set(sources)
@@ -67,7 +100,7 @@ function(opaline_shaders target)
       set(spirv ${generated}/${name}.spv)
       set(source ${generated}/${name}.cpp)
       set(compile ${GLSLC} -fshader-stage=${stage} --target-env=vulkan1.3 -Werror ${define}
-        -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders -I ${PROJECT_SOURCE_DIR}/src)
+        ${include})
       add_custom_command(OUTPUT ${words} ${spirv}
         COMMAND ${compile} -O -mfmt=num -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
         COMMAND ${compile} -O0 -o ${spirv} ${CMAKE_CURRENT_SOURCE_DIR}/${file}

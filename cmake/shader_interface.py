@@ -161,11 +161,11 @@ def push_of(module, shared):
 
 
 def constants_of(module):
-    """(name, C++ type) of constant_id 0, 1, 2, …"""
+    """(name, C++ type) of constant_id 0, 1, 2, …; those from 16 on are the device's (gpu::WorkGroups)."""
     found = {}
     for constant, type_id in module.spec_constants:
         number = module.decorations[constant].get(SPEC_ID)
-        if number and constant in module.names:  # a group's size has none, and may share a number
+        if number and number[0] < 16 and constant in module.names:  # a group's size has none, and may share a number
             found[number[0]] = (module.names[constant], host_type(module, type_id, {})[0])
     if sorted(found) != list(range(len(found))):
         fail("specialization constants have names and the numbers 0, 1, 2, …")
@@ -180,8 +180,10 @@ def merged(variants):
     fields = {}
     for binding in sorted(variants[0]):
         kinds = {found[binding][1] for found in variants}
-        if kinds == {TEXELS, STRUCTURE}:
-            kinds = {STRUCTURE}
+        if TEXELS in kinds:
+            kinds -= {READ_BUFFER}
+        if STRUCTURE in kinds:
+            kinds -= {TEXELS}
         if len(kinds) != 1:
             fail(f"the variants of a shader differ in what is at binding {binding}")
         fields[binding] = (variants[0][binding][0], kinds.pop()[0])
@@ -223,10 +225,12 @@ def fields_of(struct, members):
 def require_few_buffers(shader, variants):
     """Each within what is asked of a device."""
     choice = pathlib.Path(__file__).resolve().parents[1] / "src/gpu/device_choice.h"
-    most = int(re.search(r"storageBuffersOfStage = (\d+);", choice.read_text())[1])
-    count = max(sum(kind[1] == "StorageBuffer" for _, kind in found.values()) for found in variants)
-    if count > most:
-        fail(f"{shader} has {count} storage buffers, and devices may have {most}: storageBuffersOfStage in {choice.name}")
+    for variant, found in variants.items():
+        limit = "storageBuffersForTexels" if variant else "storageBuffersOfStage"
+        most = int(re.search(rf"{limit} = (\d+);", choice.read_text())[1])
+        count = sum(kind[1] == "StorageBuffer" for _, kind in found.values())
+        if count > most:
+            fail(f"{shader} has {count} storage buffers, and devices may have {most}: {limit} in {choice.name}")
 
 
 def header_text(arguments, modules, shared):
@@ -236,7 +240,9 @@ def header_text(arguments, modules, shared):
     for _, _, module in modules[1:]:
         if push_of(module, shared)[0] != push or constants_of(module) != constants:
             fail("the variants of a shader have the same push constants and specialization constants")
-    require_few_buffers(arguments.type, variants)
+    require_few_buffers(arguments.type, dict(zip((variant for variant, _, _ in modules), variants)))
+    if any(kind == TEXELS for _, kind in variants[0].values()) and "storage" not in (name for name, _, _ in modules):
+        fail(f"{arguments.type} reads texels and has no variant that reads storage: configure anew")
     fields = merged(variants)
     prefix, groups_file = arguments.groups.split("=")
     members, places = grouped(fields, groups_in(groups_file))
@@ -259,7 +265,13 @@ def header_text(arguments, modules, shared):
         slots = ", ".join(f"{{{binding}, gpu::BindingType::{kind[1]}}}" for binding, (_, kind) in sorted(found.items()))
         suffix = variant.title().replace("_", "")
         out += f"  static constexpr std::array<gpu::BindingSlot, {len(found)}> slots{suffix}{{{{{slots}}}}};\n"
-        out += f"  static gpu::Shader shader{suffix}() {{ return {{{words}, slots{suffix}, {push_bytes}}}; }}\n"
+    # The last that a device may have: those of a variant come after those that it has as well.
+    out += "  static gpu::Shader shader([[maybe_unused]] gpu::ShaderVariant variant = gpu::ShaderVariant::Texels) {\n"
+    for variant, words, _ in reversed(modules):
+        suffix = variant.title().replace("_", "")
+        test = f"if (variant >= gpu::ShaderVariant::{suffix}) " if variant else ""
+        out += f"    {test}return {{{words}, slots{suffix}, {push_bytes}}};\n"
+    out += "  }\n"
     out += "};\n"
     for name, _, _, offset in push:
         out += f"static_assert(offsetof({arguments.type}::Push, {name}) == {offset});\n"

@@ -33,6 +33,10 @@ Binding Binding::at(std::uint32_t binding) const {
   return bound;
 }
 
+Binding Binding::asStorage() const {
+  return type == BindingType::TexelBuffer ? Read(*buffer).at(slot) : *this;
+}
+
 Uniform::Uniform(Buffer& from)
     : Binding(bufferAs(BindingType::UniformBuffer, Access::Uniform, from)) {}
 

@@ -31,6 +31,8 @@ struct Binding {
   VkAccelerationStructureKHR structure = VK_NULL_HANDLE;
 
   Binding at(std::uint32_t binding) const;
+  /// What texels are where the shader's variant reads storage (ShaderVariant).
+  Binding asStorage() const;
 };
 
 // What a shader's Bindings are made of. A resource stands for each by itself.
@@ -54,7 +56,7 @@ struct WriteIndirect : Write {
   WriteIndirect(Buffer& to) : Write(to) { access = Access::StorageWriteIndirect; }
 };
 
-/// Needs VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT.
+/// Needs VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT and, for lib/texels.glsl, that of storage too.
 struct Texels : Binding {
   Texels(Buffer& from);
 };
@@ -83,7 +85,7 @@ struct NoFragment {
   struct Bindings {
     std::array<Binding, 0> list() const { return {}; }
   };
-  static Shader shader() { return {}; }
+  static Shader shader(ShaderVariant) { return {}; }
 };
 
 }  // namespace opaline::gpu

@@ -316,9 +316,14 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
   if (rendering_) flushBarriers();  // there must be none
 }
 
-void CommandList::bindResources(std::span<const Binding> bindings) {
-  assert(filling_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
-  if (bindings.empty()) return;
+void CommandList::bindResources(std::span<const Binding> given) {
+  assert(filling_ && pipeline_ != nullptr && given.size() <= maxSlots);
+  if (given.empty()) return;
+  std::array<Binding, maxSlots> asWanted;
+  std::transform(given.begin(), given.end(), asWanted.begin(), [&](const Binding& binding) {
+    return pipeline_->isStorage(binding.slot) ? binding.asStorage() : binding;
+  });
+  const std::span<const Binding> bindings(asWanted.data(), given.size());
   orderBindings(bindings);
   boundFor_ = device_.commandOrder().next();
   std::array<tape::Resource, maxSlots> resources;

@@ -135,6 +135,9 @@ class CommandList {
   /// device longer than a display waits for it goes by several dispatches, here and below.
   void dispatchLinear(std::uint32_t count, std::uint32_t rounds = 1);
 
+  /// The device's lanes for each of `count` things, of a shader with lib/lanes.glsl.
+  void dispatchLanes(std::uint32_t count, std::uint32_t rounds = 1);
+
   /// So many work groups of a shader with lib/work_group.glsl.
   void dispatchGroups(std::uint32_t groups, std::uint32_t rounds = 1);
 

@@ -39,6 +39,11 @@ void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
   dispatchGroups((count + sizeOfGroup - 1) / sizeOfGroup, rounds);
 }
 
+void CommandList::dispatchLanes(std::uint32_t count, std::uint32_t rounds) {
+  const std::uint32_t things = sizeOfGroup / device_.workGroups().lanes;
+  dispatchGroups((count + things - 1) / things, rounds);
+}
+
 void CommandList::dispatchGroups(std::uint32_t groups, std::uint32_t rounds) {
   constexpr std::uint32_t most = 32768;  // every device dispatches that many along an axis
   if (groups == 0) return;

@@ -14,8 +14,10 @@
 
 #include "gpu/access.h"
 #include "gpu/retired_objects.h"
+#include "gpu/shader.h"
 #include "gpu/submissions.h"
 #include "gpu/vulkan_functions.h"
+#include "gpu/work_groups.h"
 #include "opaline/log.h"
 #include "opaline/vulkan.h"
 
@@ -47,15 +49,6 @@ struct DeviceOptions {
   std::optional<std::size_t> mostMemoryBytes;   ///< that buffers and images may take together
   const GivenVulkan* given = nullptr;           ///< work on that device instead of opening one
   std::span<const std::byte> pipelineCache;     ///< as Device::pipelineCache() returned it
-};
-
-/// Invocations of a work group that share what is to be done for one thing
-/// (shaders/lib/work_group.glsl). A software device executes the subgroups of a group one after the
-/// other, all of the shader for each, so that one is best. But Mesa's ends an invocation's loops
-/// after 65,535 rounds in all: what may take more than that of eight gets twice as many.
-struct WorkGroups {
-  std::uint32_t invocations = 64;  ///< if less, one subgroup
-  std::uint32_t invocationsOfLongWork = 64;
 };
 
 /// For AccelerationStructure: what the device has for it.
@@ -165,6 +158,9 @@ class Device {
 
   const WorkGroups& workGroups() const { return workGroups_; }
 
+  /// That fits it best.
+  ShaderVariant shaderVariant() const { return shaderVariant_; }
+
   /// Whether shaders may send rays through acceleration structures.
   bool hasRayQueries() const { return rays_.build != nullptr; }
   const RayFunctions& rays() const { return rays_; }
@@ -207,6 +203,7 @@ class Device {
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memoryProperties_{};
   WorkGroups workGroups_;
+  ShaderVariant shaderVariant_ = ShaderVariant::Texels;
   std::size_t largestAllocationBytes_ = 0;
   std::size_t largestBufferBytes_ = 0;
   std::size_t memoryBytes_ = 0;

@@ -62,7 +62,7 @@ struct Asked {
 
   bool canQueryRays() const {
     return lackOfExtensions(rayExtensions).empty() &&
-           lackOfFeatures(FeatureUse::RayQueries).empty();
+           lackOfFeatures(FeatureUse::RayQueries).empty() && hasRoomForTexels(properties().limits);
   }
 
   bool hasSubgroupArithmetic() const {
@@ -72,7 +72,9 @@ struct Asked {
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
     properties.pNext = &subgroup;
     vk.vkGetPhysicalDeviceProperties2(physical, &properties);
-    return (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
+    constexpr std::uint32_t least = 4;  // lib/tile_sum.glsl
+    return subgroup.subgroupSize >= least &&
+           (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
            (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
   }
 
@@ -157,6 +159,10 @@ std::string lackOfRoom(const VkPhysicalDeviceLimits& limits) {
   if (buffers >= storageBuffersOfStage) return {};
   return fmt::format("{} storage buffers in one shader (it has {})", storageBuffersOfStage,
                      buffers);
+}
+
+bool hasRoomForTexels(const VkPhysicalDeviceLimits& limits) {
+  return limits.maxPerStageDescriptorStorageBuffers >= storageBuffersForTexels;
 }
 
 std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf) {

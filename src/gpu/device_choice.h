@@ -23,11 +23,16 @@ std::string unfitMessage(const DeviceInfo& device);
 /// Most storage buffers of a shader, which cmake/shader_interface.py watches, and of a pipeline,
 /// which asserts it.
 constexpr std::uint32_t storageBuffersOfStage = 16;
+/// The same where tables are read as storage (ShaderVariant).
+constexpr std::uint32_t storageBuffersForTexels = 24;
 
 /// What a device lacks of limits and of features of formats, which it may have by `featuresOf`;
 /// empty: nothing.
 std::string lackOfRoom(const VkPhysicalDeviceLimits& limits);
 std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf);
+
+/// Whether it may read tables as storage.
+bool hasRoomForTexels(const VkPhysicalDeviceLimits& limits);
 
 /// A queue family that does graphics and compute (and so transfer).
 std::optional<std::uint32_t> findQueueFamily(const InstanceFunctions& vk,

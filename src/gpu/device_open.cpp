@@ -151,12 +151,9 @@ void Device::readProperties() {
   properties.pNext = &maintenance;
   ofInstance_.vkGetPhysicalDeviceProperties2(physical_, &properties);
   properties_ = properties.properties;
-  constexpr std::uint32_t least = 8;  // shared::maxClustersOfTile
-  if (info_.type == DeviceType::Software && subgroups.subgroupSize >= least) {
-    constexpr std::uint32_t most = 64;
-    workGroups_ = {std::min(subgroups.subgroupSize, most),
-                   std::clamp(subgroups.subgroupSize, 2 * least, most)};
-  }
+  const bool isSoftware = info_.type == DeviceType::Software;
+  workGroups_ = workGroupsOf(isSoftware, subgroups.subgroupSize, limits());
+  if (!isSoftware && hasRoomForTexels(limits())) shaderVariant_ = ShaderVariant::Storage;
   largestBufferBytes_ = buffers.maxBufferSize;
   largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
   ofInstance_.vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);
@@ -193,6 +190,7 @@ void Device::createDevice(const std::vector<std::string>& wanted, bool rayQuerie
 void Device::loadFunctions(PFN_vkGetInstanceProcAddr load, bool rayQueries) {
   vk_ = loadDeviceFunctions(ofInstance_, device_);
   if (rayQueries) loadRayFunctions();
+  if (rayQueries) shaderVariant_ = ShaderVariant::RayQueries;
   // Null where the instance was made without VK_EXT_debug_utils.
   setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
       load(instance_, "vkSetDebugUtilsObjectNameEXT"));

@@ -20,7 +20,8 @@ namespace opaline::gpu {
 
 namespace {
 
-// local_size_x_id in shaders/lib/work_group.glsl.
+// local_size_x_id in shaders/lib/work_group.glsl, constant_id in lib/lanes.glsl, local_size_x_id in
+// shade/sky_blocks.comp.glsl.
 constexpr std::uint32_t firstWorkGroupId = 16;
 
 /// The values of constant_id 0, 1, 2, … and the sizes of work groups that the device chooses; must
@@ -31,8 +32,10 @@ class Specialization {
       : values_(values.begin(), values.end()) {
     const auto count = static_cast<std::uint32_t>(values.size() / 4);
     for (std::uint32_t i = 0; i < count; ++i) entries_.push_back({i, i * 4, 4});
-    const std::array<std::uint32_t, 2> groups{device.workGroups().invocations,
-                                              device.workGroups().invocationsOfLongWork};
+    const std::array groups{device.workGroups().invocations,
+                            device.workGroups().invocationsOfLongWork, device.workGroups().lanes,
+                            device.workGroups().invocationsOfRays,
+                            device.workGroups().invocationsOfTile};
     const std::span<const std::byte> more = std::as_bytes(std::span(groups));
     values_.insert(values_.end(), more.begin(), more.end());
     for (std::uint32_t i = 0; i < groups.size(); ++i)
@@ -297,6 +300,10 @@ Pipeline::Pipeline(Device& device, const std::string& name, const Shader& vertex
   });
 }
 
+ShaderVariant variantOf(const Device& device) {
+  return device.shaderVariant();
+}
+
 VkPipeline Pipeline::handle() const {
   return compiled_->handle();
 }
@@ -315,13 +322,17 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
         continue;
       }
       slots_ |= 1U << slot.binding;
+      if (slot.type == BindingType::StorageBuffer) storage_ |= 1U << slot.binding;
       slots.push_back({slot.binding, type, 1, stages(), nullptr});
     }
   }
   assert(pushConstantBytes_ <= 128 && pushConstantBytes_ % 4 == 0);
-  assert(std::count_if(slots.begin(), slots.end(), [](const auto& slot) {
-           return slot.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-         }) <= storageBuffersOfStage);
+  assert(std::count_if(slots.begin(), slots.end(),
+                       [](const auto& slot) {
+                         return slot.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+                       }) <= (device_->shaderVariant() == ShaderVariant::Texels
+                                  ? storageBuffersOfStage
+                                  : storageBuffersForTexels));
   VkDescriptorSetLayoutCreateInfo setInfo{};
   setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;

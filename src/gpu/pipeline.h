@@ -65,6 +65,8 @@ class Pipeline {
   VkShaderStageFlags stages() const;  ///< those that see the bindings and push constants
   std::uint32_t pushConstantBytes() const { return pushConstantBytes_; }
   bool hasSlot(std::uint32_t slot) const { return slot < 32 && (slots_ >> slot & 1U) != 0; }
+  /// Whether what is bound there is storage, of whichever variant of a shader.
+  bool isStorage(std::uint32_t slot) const { return slot < 32 && (storage_ >> slot & 1U) != 0; }
 
  protected:
   /// `constants`: values of constant_id 0, 1, 2, …, four bytes each, of all stages.
@@ -86,8 +88,12 @@ class Pipeline {
   std::unique_ptr<Compiled> compiled_;
   VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
   std::uint32_t pushConstantBytes_ = 0;
-  std::uint32_t slots_ = 0;  // bit n: binding n is there
+  std::uint32_t slots_ = 0;    // bit n: binding n is there
+  std::uint32_t storage_ = 0;  // bit n: it is a storage buffer
 };
+
+/// That a device's pipelines are made of.
+ShaderVariant variantOf(const Device& device);
 
 template <typename Constants>
 std::span<const std::byte> wordsOf(const Constants& constants) {
@@ -102,11 +108,7 @@ template <typename S>
 class Compute : public Pipeline {
  public:
   Compute(Device& device, const std::string& name, const typename S::Constants& constants = {})
-      : Compute(device, name, S::shader(), constants) {}
-  /// Of a variant of S.
-  Compute(Device& device, const std::string& name, const Shader& variant,
-          const typename S::Constants& constants = {})
-      : Pipeline(device, name, variant, wordsOf(constants)) {}
+      : Pipeline(device, name, S::shader(variantOf(device)), wordsOf(constants)) {}
 };
 
 /// A pipeline of the vertex shader V and the fragment shader F, which has the constants.
@@ -120,7 +122,8 @@ class Graphics : public Pipeline {
 
   Graphics(Device& device, const std::string& name, const GraphicsOptions& options,
            const typename F::Constants& constants = {})
-      : Pipeline(device, name, V::shader(), F::shader(), options, wordsOf(constants)) {}
+      : Pipeline(device, name, V::shader(variantOf(device)), F::shader(variantOf(device)), options,
+                 wordsOf(constants)) {}
 };
 
 }  // namespace opaline::gpu

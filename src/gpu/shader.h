@@ -6,8 +6,8 @@
 
 namespace opaline::gpu {
 
-/// A TexelBuffer is read four floats at a time by texelFetch (samplerBuffer), which some devices do
-/// faster than reading storage buffers.
+/// A TexelBuffer is read four floats at a time by texelFetch (samplerBuffer), which software
+/// devices do faster than reading storage buffers.
 enum class BindingType {
   UniformBuffer,
   StorageBuffer,
@@ -22,6 +22,10 @@ struct BindingSlot {
   std::uint32_t binding = 0;
   BindingType type = BindingType::StorageBuffer;
 };
+
+/// How shaders read tables of four floats (lib/texels.glsl), and whether they send rays by the
+/// device's queries. A shader that has not the variant has the one before.
+enum class ShaderVariant { Texels, Storage, RayQueries };
 
 /// A compiled shader and what stands outside of it. cmake/shader_interface.py makes a struct of
 /// each, with its Push, Bindings and Constants beside its shader().

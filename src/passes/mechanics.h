@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/command_list.h"
 #include "gpu/device.h"
-#include "gpu/shader.h"
 #include "passes/products.h"
 
 /// What passes are put together from.
@@ -20,9 +21,11 @@ constexpr VkBufferUsageFlags roomUsage =
 
 /// Room for `count` of T that shaders write, and read as storage or texels; for one texel at least.
 template <typename T>
-gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
+gpu::Buffer makeRoom(gpu::Device& device, std::string name, std::size_t count) {
   constexpr std::size_t texel = 4 * sizeof(float);
-  return {device, {.name = name, .bytes = std::max(count * sizeof(T), texel), .usage = roomUsage}};
+  return {
+      device,
+      {.name = std::move(name), .bytes = std::max(count * sizeof(T), texel), .usage = roomUsage}};
 }
 
 /// Bytes of the largest buffer that shaders may read as storage and as texels of four floats.
@@ -31,13 +34,7 @@ inline std::size_t mostBytes(const VkPhysicalDeviceLimits& limits) {
                   limits.maxTexelBufferElements * (4 * sizeof(float)));
 }
 
-/// Of the shader S with lib/rays.glsl, the variant with ray queries where the device has them.
-template <typename S>
-gpu::Shader rayShader(const gpu::Device& device) {
-  return device.hasRayQueries() ? S::shaderRayQueries() : S::shader();
-}
-
-/// What that shader sends rays through.
+/// What shaders with lib/rays.glsl send rays through.
 inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
   if (hierarchy.structure) return hierarchy.structure;
   return hierarchy.boxes;

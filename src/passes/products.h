@@ -207,6 +207,7 @@ struct RayHierarchy {
 /// Light in the body under each cluster: points where it collides.
 struct Beams {
   gpu::Buffer points;        ///< shared::BeamPoint, maxPoints a cluster and light
+  gpu::Buffer collisions;    ///< shared::FirstCollision, maxFirstPoints a cluster and light
   gpu::Buffer strengths;     ///< vec4 a cluster and light: power that entered; numbers of points
   std::uint32_t room = 1;    ///< lights that there is room for
   std::uint32_t lights = 1;  ///< whose points are there

@@ -25,6 +25,7 @@ FaultLayer::FaultLayer() {
   find(library, "opalineArmFault", arm_);
   find(library, "opalineHideFunction", hide_);
   find(library, "opalineHideExtension", hideExtension_);
+  find(library, "opalineClaimHardware", claimHardware_);
   find(library, "opalineFaultedFunction", faulted_);
   find(library, "opalineLivingObjects", living_);
   find(library, "opalineDescribeLivingObjects", describe_);

@@ -20,6 +20,8 @@ class FaultLayer {
   void hide(const char* function) { hide_(function); }
   /// Devices do not list that extension; null: they list all they have again.
   void hideExtension(const char* extension) { hideExtension_(extension); }
+  /// Software devices say that they are hardware.
+  void claimHardware(bool claims) { claimHardware_(claims); }
   /// The function that failed since then; empty if none has.
   std::string faulted() const;
   /// Objects that were created and not destroyed.
@@ -30,6 +32,7 @@ class FaultLayer {
   void (*arm_)(std::int32_t, std::uint64_t, const char*) = nullptr;
   void (*hide_)(const char*) = nullptr;
   void (*hideExtension_)(const char*) = nullptr;
+  void (*claimHardware_)(bool) = nullptr;
   const char* (*faulted_)() = nullptr;
   std::int64_t (*living_)() = nullptr;
   const char* (*describe_)() = nullptr;

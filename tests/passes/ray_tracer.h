@@ -42,7 +42,7 @@ class RayTracer {
         surfels_(SurfelPass::makeSurfels(device, made_, body.surface())),
         hierarchy_(RayPass::makeHierarchy(device, surfels_, made_, body.surface())),
         refit_(device),
-        trace_(device, "rays", rayShader<shaders::Rays>(device)),
+        trace_(device, "rays"),
         commands_(device, "rays") {
     moveTo(body.moved);
   }

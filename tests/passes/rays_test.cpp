@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -9,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "gpu/gpu_fixture.h"
@@ -163,6 +166,23 @@ void expectExact(gpu::Device& device, const Body& body, double spacingMm, std::s
   compare(body, tracer, rays, tracer.nearest(rays), 0, body.objects);
 }
 
+/// Whether two crossings are so near to each other that rounding may make one of them.
+bool hasCrossingsTogether(const Body& body, const Ray& ray, double apartMm) {
+  const double rounding = roundingMm(body.reachMm(), ray);
+  std::vector<std::pair<double, double>> crossings;  // distance, by how much it may be off
+  for (const Triangle& triangle : body.triangles) {
+    const PlaneHit hit =
+        meet(ray, {body.place(triangle[0]), body.place(triangle[1]), body.place(triangle[2])});
+    if (hit.insideMm > -rounding) crossings.emplace_back(hit.distance, rounding / hit.cosine);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    const double offMm = crossings[i].second + crossings[i - 1].second;
+    if (crossings[i].first - crossings[i - 1].first < apartMm + offMm) return true;
+  }
+  return false;
+}
+
 void expectEvenCrossings(gpu::Device& device, const Body& body, double spacingMm, double apart) {
   RayTracer tracer(device, body, spacingMm, 1 << 20);
   Random random;
@@ -175,11 +195,16 @@ void expectEvenCrossings(gpu::Device& device, const Body& body, double spacingMm
   const std::vector<std::uint32_t> counts =
       tracer.crossings(rays, static_cast<float>(apart * reachMm));
   std::size_t met = 0;
+  std::size_t unsure = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    ASSERT_EQ(counts[i] % 2, 0U) << i << ' ' << counts[i];
+    if (counts[i] % 2 != 0) {
+      ASSERT_TRUE(hasCrossingsTogether(body, rays[i], apart * reachMm)) << i << ' ' << counts[i];
+      ++unsure;
+    }
     met += counts[i] > 0 ? 1U : 0U;
   }
   EXPECT_GT(met, rays.size() / 20);
+  EXPECT_LT(unsure, 5U);
 }
 
 Body twistedBox() {

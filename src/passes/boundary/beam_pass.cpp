@@ -13,6 +13,9 @@ namespace opaline::passes {
 
 namespace {
 
+// A channel of a point of second collisions each.
+constexpr std::uint32_t pathsOfBeam = 3 * shared::maxSecondPoints;
+
 // For each light that of sources of fluence, and that of light that scatters once where some is
 // followed that far.
 std::uint32_t treesOf(const SceneTables& tables, const Beams& beams) {
@@ -23,16 +26,16 @@ std::uint32_t treesOf(const SceneTables& tables, const Beams& beams) {
 
 Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool withPaint) {
   const auto make = [&](bool withLinings) -> gpu::Compute<shaders::BoundaryBeams> {
-    return {device,
-            "points of light",
-            rayShader<shaders::BoundaryBeams>(device),
-            {.withPaint = withPaint, .withLinings = withLinings}};
+    return {device, "points of light", {.withPaint = withPaint, .withLinings = withLinings}};
   };
   return {make(false), make(true)};
 }
 
 BeamPass::BeamPass(gpu::Device& device)
     : trace_{makeTrace(device, false), makeTrace(device, true)},
+      sharers_(device.workGroups().lanes > 1 ? pathsOfBeam : 1),
+      followOn_{{device, "second collisions", {.withLinings = 0, .sharers = sharers_}},
+                {device, "second collisions", {.withLinings = 1, .sharers = sharers_}}},
       addMirrored_(device, "mirrored light", {.addsUp = 1}),
       takeMirrored_(device, "mirrored light", {.addsUp = 0}),
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
@@ -119,14 +122,40 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .entered = clusters.entered,
                  .skyShares = clusters.skyShares,
                  .clusterPaints = inputs.tables.paint.clusters,
-                 .opaqueShares = inputs.tables.opaqueShares},
+                 .opaqueShares = inputs.tables.opaqueShares,
+                 .collisions = beams.collisions},
                 {.clusterCount = clusters.count,
                  .firstLight = beam.firstLight,
                  .lights = beams.lights,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = inputs.surfels.tree.nodeCount,
                  .mirrors = beam.mirrors});
-  commands.dispatchLinear(beams.lights * clusters.count, shared::maxPoints * roundsOfWalk);
+  commands.dispatchLinear(beams.lights * clusters.count, shared::maxReflections * roundsOfWalk);
+  if (inputs.tables.followsLight) followOn(commands, inputs, beam, clusters, beams);
+}
+
+void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
+                        Clusters& clusters, Beams& beams) const {
+  commands.bind(followOn_.of(clusters.haveLinings),
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = rays(inputs.rays),
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .entries = clusters.entries,
+                 .points = beams.points,
+                 .strengths = beams.strengths,
+                 .clusterOfSurfel = clusters.clusterOfSurfel,
+                 .opaqueShares = inputs.tables.opaqueShares,
+                 .collisions = beams.collisions},
+                {.clusterCount = clusters.count,
+                 .firstLight = beam.firstLight,
+                 .lights = beams.lights,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+  // Most end before they meet the surface.
+  commands.dispatchLinear(beams.lights * clusters.count * sharers_,
+                          pathsOfBeam / sharers_ * roundsOfWalk);
 }
 
 void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,

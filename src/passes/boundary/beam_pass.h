@@ -11,6 +11,7 @@
 #include "shaders/boundary/beams.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
 #include "shaders/boundary/reentry.comp.h"
+#include "shaders/boundary/second_collisions.comp.h"
 #include "shaders/boundary/single.comp.h"
 #include "shaders/boundary/source.comp.h"
 
@@ -52,6 +53,8 @@ class BeamPass {
   };
   void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
              Beams& beams) const;
+  void followOn(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
+                Clusters& clusters, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                      Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
@@ -72,6 +75,8 @@ class BeamPass {
   static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
 
   VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< by paint, then linings
+  std::uint32_t sharers_;  ///< invocations among which the paths of a beam are divided
+  Variants<shaders::BoundarySecondCollisions> followOn_;  ///< by linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;

@@ -203,11 +203,12 @@ std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made
   return inner;
 }
 
-Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
-                std::uint32_t clusters, std::uint32_t lights) {
-  const std::size_t beams = std::size_t{clusters} * lights;
-  return {makeRoom<shared::BeamPoint>(device, points, shared::maxPoints * beams),
-          makeRoom<shared::vec4>(device, strengths, beams), lights};
+Beams makeBeams(gpu::Device& device, const std::string& from, std::size_t beams) {
+  const auto name = [&](const char* what) { return what + (" from " + from); };
+  return {
+      makeRoom<shared::BeamPoint>(device, name("points"), shared::maxPoints * beams),
+      makeRoom<shared::FirstCollision>(device, name("collisions"), shared::maxFirstPoints * beams),
+      makeRoom<shared::vec4>(device, name("strengths"), beams)};
 }
 
 // Lights whose points of light are found and summed together, where their buffer may be that large.
@@ -229,7 +230,7 @@ ClusterPass::ClusterPass(gpu::Device& device)
                 {device, "light that enters", {.withAreaLights = 1, .withNormals = 1}}}},
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
-      survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
+      survey_(device, "rays of clusters") {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
@@ -282,10 +283,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
   const std::uint32_t lights = lightsAtOnce(device, clusters.count);
   const std::size_t trees = 2 * std::size_t{lights};
-  clusters.fromLights =
-      makeBeams(device, "points from lights", "strengths from lights", clusters.count, lights);
-  clusters.fromEverywhere =
-      makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count, 1);
+  clusters.fromLights = makeBeams(device, "lights", count * lights);
+  clusters.fromLights.room = lights;
+  clusters.fromEverywhere = makeBeams(device, "everywhere", count);
   clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count * lights);
   // Each frame leaves these at 0 again.
   const auto zeros = [&](const char* name, std::size_t words) {
@@ -408,7 +408,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = inputs.looksAround ? clusters.raysOutwards : 0,
                  .nodeCount = inputs.surfels.tree.nodeCount});
-  commands.dispatchLinear(clusters.count, (raysOutwards + 1) * roundsOfWalk);
+  commands.dispatchLanes(clusters.count, (raysOutwards + 1) * roundsOfWalk);
 }
 
 }  // namespace opaline::passes

@@ -13,7 +13,7 @@ constexpr std::uint32_t usualRays = 16;
 }  // namespace
 
 AreaLightPass::AreaLightPass(gpu::Device& device)
-    : shadows_(device, "soft shadows", rayShader<shaders::GatherSoftShadows>(device)),
+    : shadows_(device, "soft shadows"),
       add_{{device, "area lights", {.withNormals = 0}},
            {device, "area lights", {.withNormals = 1}}} {}
 

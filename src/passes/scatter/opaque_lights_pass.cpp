@@ -18,10 +18,8 @@ constexpr std::uint32_t raysOfVertex = 16;
 
 OpaqueLightsPass::OpaqueLightsPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      vertices_(device, "area lights at opaque vertices",
-                rayShader<shaders::ScatterOpaqueAreaVertices>(device)),
-      fragments_(device, "area lights at opaque fragments",
-                 rayShader<shaders::ScatterOpaqueAreaLights>(device)) {}
+      vertices_(device, "area lights at opaque vertices"),
+      fragments_(device, "area lights at opaque fragments") {}
 
 void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& inputs,
                                     ScatterSite site, const Places& vertices) const {

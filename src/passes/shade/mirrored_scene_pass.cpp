@@ -16,8 +16,7 @@ enum Round : std::uint32_t { AskingSome, TakingAll };
 }  // namespace
 
 MirroredScenePass::MirroredScenePass(gpu::Device& device)
-    : nearest_(device, gpu::Filter::Nearest),
-      pipeline_(device, "mirrored scene", rayShader<shaders::ShadeMirroredScene>(device)) {}
+    : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "mirrored scene") {}
 
 void MirroredScenePass::record(gpu::CommandList& commands, const Inputs& inputs,
                                std::uint32_t firstRow, const SeenSurfaces& seen) const {

@@ -10,7 +10,7 @@ namespace {
 
 gpu::Compute<shaders::ShadeReflectedLights> make(
     gpu::Device& device, const shaders::ShadeReflectedLights::Constants& constants) {
-  return {device, "reflected lights", rayShader<shaders::ShadeReflectedLights>(device), constants};
+  return {device, "reflected lights", constants};
 }
 
 }  // namespace

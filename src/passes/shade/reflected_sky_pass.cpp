@@ -16,23 +16,11 @@ constexpr std::uint32_t raysAtOnce = 8;
 
 ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      blocks_{{device,
-               "blocks of reflected sky",
-               rayShader<shaders::ShadeSkyBlocks>(device),
-               {.withOwnSurfaces = 0}},
-              {device,
-               "blocks of reflected sky",
-               rayShader<shaders::ShadeSkyBlocks>(device),
-               {.withOwnSurfaces = 1}}},
+      blocks_{{device, "blocks of reflected sky", {.withOwnSurfaces = 0}},
+              {device, "blocks of reflected sky", {.withOwnSurfaces = 1}}},
       known_(device, "sky known of blocks"),
-      pixels_{{device,
-               "reflected sky",
-               rayShader<shaders::ShadeReflectedSky>(device),
-               {.withOwnSurfaces = 0}},
-              {device,
-               "reflected sky",
-               rayShader<shaders::ShadeReflectedSky>(device),
-               {.withOwnSurfaces = 1}}} {}
+      pixels_{{device, "reflected sky", {.withOwnSurfaces = 0}},
+              {device, "reflected sky", {.withOwnSurfaces = 1}}} {}
 
 void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                               std::uint32_t firstRow, const SeenSurfaces& seen) const {

@@ -4,16 +4,18 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#define TILE_WORK
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_BEAM_NODES 2
 #include "lib/boundary.glsl"
 #include "lib/beam_node.glsl"
 #include "lib/group_place.glsl"
+#include "lib/texels.glsl"
 #include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Groups { ClusterGroup groups[]; };
-layout(set = 0, binding = 4) uniform samplerBuffer clusterTexels;  // Cluster
+TEXELS(4, clusterTexels);  // Cluster
 layout(std430, set = 0, binding = 5) writeonly buffer Lists { uint lists[]; };
 
 layout(push_constant) uniform Push {
@@ -41,7 +43,7 @@ uint sliceBegin;
 uint sliceEnd;
 
 vec3 placeOf(uint cluster) {
-  return texelFetch(clusterTexels, 7 * int(cluster)).xyz;
+  return texelOf(clusterTexels, 7 * int(cluster)).xyz;
 }
 
 Around aroundGroup() {

@@ -1,4 +1,4 @@
-// Where light that enters through a cluster collides in the body: of one light, along its refracted
+// Where light that enters through a cluster first collides in the body: of one light, along its refracted
 // ray and that ray's reflections inside; or of what comes from everywhere, below the cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -7,9 +7,7 @@
 #define BINDING_PIECE_CORNERS 3
 #define BINDING_RAYS 4
 #define BINDING_CLUSTER_PAINTS 15
-#include "lib/boundary.glsl"
 #include "lib/frame.glsl"
-#include "lib/fresnel.glsl"
 #include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
@@ -31,6 +29,7 @@ layout(std430, set = 0, binding = 12) buffer Peaks { uint peaks[]; };  // of lig
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
 layout(std430, set = 0, binding = 16) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
+layout(std430, set = 0, binding = 17) writeonly buffer Collisions { FirstCollision collisions[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(constant_id = 1) const uint withLinings = 0u;
@@ -46,121 +45,29 @@ layout(push_constant) uniform Push {
 
 const float leastShare = 0.005;      // of light that is followed further
 const float leastEntryCosine = 0.05;  // to the mean normal where it enters
-const uint meetingsOfPath = 3u;      // reflections on the way to a second collision
 
 // Little light gets far before it collides; but to the other side of a thick part that is all there
-// is. So points lie where light would collide in a medium thinner by these factors, and shares make
+// is. So points lie where light would collide in a medium thinner by this factor, and shares make
 // up for it: three points then sum e^{-t} e^{kt} over free paths t within 1 % for k up to 1/2, where
 // quantiles of the light itself are 13 % too low.
-const float thinnerForFirst = 0.5;
-const float thinnerForSecond = 0.7;
+const float thinner = 0.5;
 
-struct Body {
-  BoundaryMedium medium;
-  float eta;
-  RayTarget target;
-  float side;   // -1 where it is mirrored
-  float least;  // rays start that far from where they leave, mm
-};
-
-uint firstPieceOf(uint object) {
-  return objects[object].table.y * piecesPerSurfel;
-}
+#include "lib/beam_body.glsl"
 
 uint light;
-uint beam;           // of the cluster and that light, among those that are found together
-uint pointCount[2];  // of first and second collisions so far
+uint beam;        // of the cluster and that light, among those that are found together
+uint pointCount;  // so far
 
-void put(uint order, BeamPoint point) {
-  points[beam * maxPoints + order * maxFirstPoints + pointCount[order]] = point;
-  ++pointCount[order];
-}
-
-float reflectedInside(Body body, float cosine) {
-  return fresnelReflectance(1.0 / body.eta, min(cosine, 1.0));
-}
-
-bool isLining(uint piece) {
-  return withLinings != 0u && ranges[clusterOfSurfel[piece / piecesPerSurfel]].kind == lining;
-}
-
-vec3 givenBackBy(uint piece) {
-  return min(opaqueShares[clusterOfSurfel[piece / piecesPerSurfel]].share.rgb, vec3(1.0));
-}
-
-RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
-  return nearestExit(origin, direction, body.side, body.least, furthest, body.target);
-}
-
-// Light that scatters forwards is, to diffusion, a source that much further on, mm; in front of a surface
-// at that distance as far as free paths end before it.
-vec3 forwards(Body body, vec3 leftMm) {
-  if (body.medium.collision.w == 0.0) return vec3(0.0);
-  vec3 whole = body.medium.collision.w / body.medium.extinction.rgb;
-  return whole * (1.0 - exp(-leftMm / abs(whole)));
-}
-const float endOfForwards = 4.0;  // in free paths; less than 2 % is left
-
-// Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
-// is taken off the share.
-vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float share, int channel) {
-  float free = endOfForwards * body.medium.collision.w / body.medium.extinction[channel];
-  for (uint k = 0u; k <= meetingsOfPath; ++k) {
-    RayHit hit = nextHit(body, origin, direction, path + max(free, 0.0));
-    if (hit.piece == noPiece || hit.distance > path) {
-      float left = hit.piece == noPiece ? abs(free) : hit.distance - path;
-      return vec4(origin + (path + forwards(body, vec3(left))[channel]) * direction, share);
-    }
-    vec3 normal = facetNormal(hit.piece);
-    origin += hit.distance * direction;
-    path -= hit.distance;
-    // Evenly scattered light that is mirrored at a lining leaves it as light that goes on evenly from there.
-    share *= isLining(hit.piece) ? givenBackBy(hit.piece)[channel]
-                                 : reflectedInside(body, abs(dot(direction, normal)));
-    direction = reflect(direction, normal);
-    if (share <= 0.0) break;
-  }
-  return vec4(origin, 0.0);
-}
-
-// The second collisions of light that arrived at `point` along `arrival` and collided there, the `which`-th of
-// its cluster: by the phase function and as far as free paths go, by a lattice of low discrepancy (Roberts
-// 2018) in the axes of the cluster, so that it moves with that. Another shift for each point: what few
-// directions miss, those beside have.
-void scatterOn(Body body, uint i, Cluster cluster, BeamPoint point, vec3 arrival, uint which, uint count) {
-  const vec2 next = vec2(0.7548776662, 0.5698402910);
-  const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  vec3 shift = fract(float((i * maxFirstPoints + which) % 8192u) * shifts);
-  float g = body.medium.collision.w;
-  vec3 axis = g == 0.0 ? cluster.facet.xyz : arrival;
-  vec3 along = g == 0.0 ? cluster.along.xyz
-                        : unitOr(cluster.along.xyz - dot(cluster.along.xyz, axis) * axis, cluster.facet.xyz);
-  vec3 across = cross(axis, along);
-  vec3 followed = cluster.second.rgb;
-  for (uint d = 0u; d < count; ++d) {
-    float part = (float(d) + shift.x) / float(count);
-    float z = g == 0.0 ? 1.0 - 2.0 * part : cosineOfPart(part, g);
-    vec2 at = fract(shift.yz + float(d) * next);
-    float angle = 2.0 * pi * at.x;
-    vec3 around = cos(angle) * along + sin(angle) * across;
-    vec3 direction = sqrt(max(1.0 - z * z, 0.0)) * around + z * axis;
-    float depth = -log(max(1.0 - at.y, 1e-6)) / thinnerForSecond;
-    float share = exp((thinnerForSecond - 1.0) * depth) / (thinnerForSecond * float(count));
-    vec4 ends[3] = vec4[3](point.red, point.green, point.blue);
-    for (int c = 0; c < 3; ++c)
-      ends[c] = followed[c] > 0.0 && ends[c].w > 0.0
-                    ? collisionAfter(body, ends[c].xyz, direction,
-                                     depth / body.medium.collision[c], share * ends[c].w, c)
-                    : vec4(ends[c].xyz, 0.0);
-    put(1u, BeamPoint(ends[0], ends[1], ends[2]));
-  }
-}
-
-// The three places for a quantile of the light that collides within a length.
-BeamPoint pointAt(vec3 origin, vec3 direction, vec3 lengths, vec3 shares) {
-  return BeamPoint(vec4(origin + lengths.r * direction, shares.r),
-                   vec4(origin + lengths.g * direction, shares.g),
-                   vec4(origin + lengths.b * direction, shares.b));
+// Light that collides within the lengths along a ray, which a point takes as far as it is not followed further.
+void put(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 lengths, vec3 shares) {
+  vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
+  vec3 ends = lengths + onward;
+  points[beam * maxPoints + pointCount] =
+      BeamPoint(vec4(origin + ends.r * direction, shares.r), vec4(origin + ends.g * direction, shares.g),
+                vec4(origin + ends.b * direction, shares.b));
+  if (cluster.second.rgb != vec3(0.0))
+    collisions[beam * maxFirstPoints + pointCount] = FirstCollision(vec4(direction, 0.0), vec4(onward, 0.0));
+  ++pointCount;
 }
 
 // Gauss's points and weights.
@@ -168,26 +75,20 @@ const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
 const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 const float twoAt[2] = float[2](0.211324865, 0.788675135);
 
-void firstSegment(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, float lengthMm,
-                  vec3 extinction) {
-  vec3 thinner = thinnerForFirst * extinction;
-  vec3 within = 1.0 - exp(-thinner * lengthMm);
+void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction) {
+  vec3 less = thinner * extinction;
+  vec3 within = 1.0 - exp(-less * lengthMm);
   vec3 lengths[pointsOfFirstSegment];
   vec3 shares[pointsOfFirstSegment];
   vec3 all = vec3(0.0);
   for (uint p = 0u; p < pointsOfFirstSegment; ++p) {
-    lengths[p] = -log(1.0 - threeAt[p] * within) / thinner;
-    shares[p] = threeWeights[p] * exp((thinner - extinction) * lengths[p]);
+    lengths[p] = -log(1.0 - threeAt[p] * within) / less;
+    shares[p] = threeWeights[p] * exp((less - extinction) * lengths[p]);
     all += shares[p];
   }
   vec3 collides = 1.0 - exp(-extinction * lengthMm);
-  bool further = cluster.second.rgb != vec3(0.0);
-  for (uint p = 0u; p < pointsOfFirstSegment; ++p) {
-    vec3 share = shares[p] / all * collides;
-    vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths[p]);
-    put(0u, pointAt(origin, direction, lengths[p] + onward, share));
-    if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths[p], share), direction, p, directionsOfPoint);
-  }
+  for (uint p = 0u; p < pointsOfFirstSegment; ++p)
+    put(body, cluster, origin, direction, lengthMm, lengths[p], shares[p] / all * collides);
 }
 
 // Of a beam with that cosine inside.
@@ -210,8 +111,7 @@ vec3 reflectedBy(uint piece, Body body, bool isEven, float cosine) {
   return vec3(isEven ? reflectedOfEven(body) : reflectedInside(body, cosine));
 }
 
-void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit, vec3 extinction) {
-  bool further = cluster.second.rgb != vec3(0.0);
+void reflections(Body body, Cluster cluster, vec3 origin, vec3 direction, RayHit hit, vec3 extinction) {
   bool isEven = false;
   vec3 left = vec3(1.0);
   for (uint s = 1u; s <= maxReflections; ++s) {
@@ -229,22 +129,16 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
     hit = nextHit(body, origin, direction, 3e38);
     float lengthMm = min(hit.distance, 1e18);
     vec3 collides = 1.0 - exp(-extinction * lengthMm);
-    for (uint p = 0u; p < pointsOfReflection; ++p) {
-      vec3 lengths = -log(1.0 - twoAt[p] * collides) / extinction;
-      vec3 share = 0.5 * left * collides;
-      vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
-      put(0u, pointAt(origin, direction, lengths + onward, share));
-      uint which = pointsOfFirstSegment + (s - 1u) * pointsOfReflection + p;
-      if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths, share), direction, which, 1u);
-    }
+    for (uint p = 0u; p < pointsOfReflection; ++p)
+      put(body, cluster, origin, direction, lengthMm, -log(1.0 - twoAt[p] * collides) / extinction, 0.5 * left * collides);
   }
 }
 
 // Of light from everywhere, what a lining below the cluster gives back.
-void backFromLining(Body body, uint i, Cluster cluster, vec3 extinction) {
+void backFromLining(Body body, Cluster cluster, vec3 extinction) {
   RayHit hit = nextHit(body, cluster.start.xyz, -cluster.facet.xyz, 3e38);
   if (hit.piece != noPiece && isLining(hit.piece))
-    reflections(body, i, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
+    reflections(body, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
 }
 
 // Of light of a large area light, the mean cosine inside: by four places that halve it each way.
@@ -288,10 +182,8 @@ void main() {
   light = firstLight + beam / clusterCount;
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
-  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.w, itsBody.body.x);
   Entry entry = entries[light * clusterCount + i];
-  float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
-  Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));
+  Body body = bodyAt(cluster, itsBody, entry.place.xyz);
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = light == frame.counts.w;
   if (everywhere) {
@@ -301,14 +193,13 @@ void main() {
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
     power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));
   }
-  pointCount[0] = 0u;
-  pointCount[1] = 0u;
+  pointCount = 0u;
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   float cosineInside = body.medium.sigma.w;
   if (everywhere) {
     vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
-    firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
-    if (withLinings != 0u) backFromLining(body, i, cluster, extinction);
+    firstSegment(body, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
+    if (withLinings != 0u) backFromLining(body, cluster, extinction);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
     vec3 toLight = light < firstAreaLight() ? incidentLight(light, entry.place.xyz).direction
@@ -323,9 +214,9 @@ void main() {
       float mean = meanCosineInside(body, areaViewFrom(entry.place.xyz, light), normal);
       if (mean > 0.0) longer = max(cosineInside / mean, 1.0);
     }
-    firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
+    firstSegment(body, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  longer * body.medium.collision.rgb);
-    reflections(body, i, cluster, entry.start.xyz, direction, hit, body.medium.collision.rgb);
+    reflections(body, cluster, entry.start.xyz, direction, hit, body.medium.collision.rgb);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);
       atomicMax(peaks[firstLight], floatBitsToUint(largestOf(goesOn.power.rgb)));
@@ -333,5 +224,5 @@ void main() {
   }
   if (mirrors != 0u) mirrored[beam] = goesOn;
   if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
-  strengths[beam] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
+  strengths[beam] = vec4(power, packPointCounts(pointCount, cluster.second.rgb != vec3(0.0) ? secondPointsOf(pointCount) : 0u));
 }

@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#define TILE_WORK
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_NODES 2
@@ -16,6 +17,7 @@
 #include "lib/cluster_node.glsl"
 #include "lib/over_or_0.glsl"
 #include "lib/painted_cluster.glsl"
+#include "lib/texels.glsl"
 #include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
@@ -25,8 +27,8 @@ ClusterRange rangeOf(uint cluster) {
   return ranges[cluster];
 }
 
-layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
-layout(set = 0, binding = 6) uniform samplerBuffer products;
+TEXELS(5, clusterTexels);  // Cluster
+TEXELS(6, products);
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // of each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
@@ -42,7 +44,7 @@ layout(push_constant) uniform Push {
 };
 
 vec3 enteredFluence(uint cluster) {
-  float thicknessMm = texelFetch(clusterTexels, 7 * int(cluster) + 3).w;
+  float thicknessMm = texelOf(clusterTexels, 7 * int(cluster) + 3).w;
   BoundaryMedium medium = insideOf(objects[ranges[cluster].object]);
   return fluenceEntered(cluster, entered[cluster].rgb, thicknessMm, medium);
 }
@@ -54,7 +56,7 @@ uint vectorCount() {
 
 // What is left of the last product without its parts along the vectors of the basis so far.
 vec3 nextVector(uint cluster) {
-  vec3 vector = texelFetch(products, int(cluster)).rgb;
+  vec3 vector = texelOf(products, int(cluster)).rgb;
   uint steps = vectorCount();
   for (uint k = 0u; k < steps; ++k)
     vector -= states[solution].projections[k].rgb * basis[k * clusterCount + cluster].rgb;
@@ -67,8 +69,8 @@ DensityNode noDensity() {
 
 // Seen from `place`, a density is one there and a dipole.
 void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 weightS) {
-  vec4 centroidArea = texelFetch(clusterTexels, 7 * int(cluster));
-  vec3 vectorArea = texelFetch(clusterTexels, 7 * int(cluster) + 2).xyz;
+  vec4 centroidArea = texelOf(clusterTexels, 7 * int(cluster));
+  vec3 vectorArea = texelOf(clusterTexels, 7 * int(cluster) + 2).xyz;
   vec3 areas = centroidArea.w * layerOf(cluster);
   vec3 arm = centroidArea.xyz - place;
   sum.red += fluence.r * vec4(vectorArea + weightS.r * areas.r * arm, areas.r);
@@ -82,7 +84,7 @@ DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   vec3 place = centroidLinkOf(inner.node).xyz;
   DensityNode sum = noDensity();
   for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride)
-    add(sum, i, ofEntered != 0u ? enteredFluence(i) : texelFetch(products, int(i)).rgb, place, weightS);
+    add(sum, i, ofEntered != 0u ? enteredFluence(i) : texelOf(products, int(i)).rgb, place, weightS);
   return sum;
 }
 
@@ -100,7 +102,7 @@ void putInner(uint node, DensityNode sum) {
   nodes[steps * nodeCount + node] = DensityNode(scale.r * sum.red, scale.g * sum.green, scale.b * sum.blue);
 }
 
-shared DensityNode ofSubgroup[gl_WorkGroupSize.x];
+shared DensityNode ofSubgroup[gl_WorkGroupSize.x / 4u];  // of 4 invocations at least
 
 void putLarge(InnerNode inner) {
   DensityNode sum = densityOf(inner, gl_LocalInvocationIndex, gl_WorkGroupSize.x);

@@ -6,6 +6,7 @@
 #include "lib/linear.glsl"
 #include "lib/piece_at.glsl"
 #include "lib/surfel_area.glsl"
+#include "lib/texels.glsl"
 #include "shared/boundary.h"
 
 // CarryPass::From
@@ -14,7 +15,7 @@ const uint fromPatches = 2u;
 layout(constant_id = 0) const uint from = fromVertices;
 
 layout(std430, set = 0, binding = 0) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(set = 0, binding = 3) uniform samplerBuffer exitances;
+TEXELS(3, exitances);
 layout(std430, set = 0, binding = 4) writeonly buffer Means { vec4 means[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Patches { vec4 patches[]; };
 
@@ -24,7 +25,7 @@ layout(push_constant) uniform Push {
 };
 
 vec3 exitanceAt(uint place) {
-  return texelFetch(exitances, int(place)).rgb;
+  return texelOf(exitances, int(place)).rgb;
 }
 
 // Interpolated in the middle of its pieces.

@@ -13,12 +13,13 @@
 #include "lib/cluster_weight.glsl"
 #include "lib/sky.glsl"
 #include "lib/source_flux.glsl"
+#include "lib/texels.glsl"
 #include "lib/work_group.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
-layout(set = 0, binding = 6) uniform samplerBuffer skyShares;  // of clusters
+TEXELS(5, clusterTexels);  // Cluster
+TEXELS(6, skyShares);  // of clusters
 layout(std430, set = 0, binding = 7) readonly buffer SurfelNormals { vec4 surfelNormals[]; };
 layout(std430, set = 0, binding = 8) readonly buffer SurfelPlaces { vec4 places[]; };
 layout(std430, set = 0, binding = 9) buffer Sources { Source sources[]; };
@@ -42,8 +43,8 @@ Felt feltOf(uint leaf, vec3 middle, float radius) {
   vec4 centroidLink = centroidLinkOf(leaf);
   float reach = spreadOf(leaf).z;
   int cluster = int(firstSurfelOf(floatBitsToUint(centroidLink.w)));
-  vec4 normalRadius = texelFetch(clusterTexels, 7 * cluster + 1);
-  vec4 shareLight = texelFetch(skyShares, cluster);
+  vec4 normalRadius = texelOf(clusterTexels, 7 * cluster + 1);
+  vec4 shareLight = texelOf(skyShares, cluster);
   Felt its;
   its.near = distance(centroidLink.xyz, middle) <= reach + radius;
   its.place = vec4(centroidLink.xyz, 1.0 / max(reach * reach, 1e-30));
@@ -76,7 +77,7 @@ vec3 shareAt(vec3 place, vec3 normal, uint cluster, ClusterRange range) {
       all += weight;
     }
   }
-  return all > 0.0 ? sum / all : texelFetch(skyShares, int(cluster)).rgb;
+  return all > 0.0 ? sum / all : texelOf(skyShares, int(cluster)).rgb;
 }
 
 void main() {

@@ -18,6 +18,7 @@
 #define BINDING_NODE_OBJECTS 17
 #define CONSTANT_SEVERAL_MEDIA 2
 #include "lib/cluster_walk.glsl"
+#include "lib/texels.glsl"
 #include "lib/way_between.glsl"
 #define LININGS
 #include "lib/painted_cluster.glsl"
@@ -31,7 +32,7 @@ ClusterRange rangeOf(uint cluster) {
 }
 
 layout(std430, set = 0, binding = 7) readonly buffer Lists { uint lists[]; };
-layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode, of each vector of the basis
+TEXELS(8, densities);  // DensityNode, of each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[]; };
@@ -81,9 +82,9 @@ ActingNode actingNode(uint at) {
   vec4 spread = spreadOf(at);
   uint link = floatBitsToUint(centroidLink.w);
   int first = 3 * int((max(step, 1u) - 1u) * nodeCount + at);
-  vec4 red = texelFetch(densities, first);
-  vec4 green = texelFetch(densities, first + 1);
-  vec4 blue = texelFetch(densities, first + 2);
+  vec4 red = texelOf(densities, first);
+  vec4 green = texelOf(densities, first + 1);
+  vec4 blue = texelOf(densities, first + 2);
   vec3 density = vec3(red.w, green.w, blue.w);
   vec3 mean = isLeaf(link) ? vec3(0.0) : density / max(spread.w, 1e-30);
   takeWayFrom(at);

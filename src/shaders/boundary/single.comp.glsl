@@ -140,7 +140,7 @@ void main() {
   if (!enterTile(tileCount)) return;
   eta = mediumAt(body, targets[0].xyz).boundary.x;
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    targetNormals[t] = texelFetch(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
+    targetNormals[t] = texelOf(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
     tileLight[t] = vec3(0.0);
   }
   Around around = aroundTile();

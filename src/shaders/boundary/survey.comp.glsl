@@ -10,6 +10,7 @@
 #include "lib/boundary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
+#include "lib/lanes.glsl"
 #include "lib/over_or_0.glsl"
 #include "lib/rays.glsl"
 #include "lib/sky.glsl"
@@ -69,9 +70,9 @@ struct PieceFrame {
 };
 
 PieceFrame frameOf(uint piece, float side) {
-  vec3 a = texelFetch(pieceCorners, 3 * int(piece)).xyz;
-  vec3 b = texelFetch(pieceCorners, 3 * int(piece) + 1).xyz;
-  vec3 c = texelFetch(pieceCorners, 3 * int(piece) + 2).xyz;
+  vec3 a = texelOf(pieceCorners, 3 * int(piece)).xyz;
+  vec3 b = texelOf(pieceCorners, 3 * int(piece) + 1).xyz;
+  vec3 c = texelOf(pieceCorners, 3 * int(piece) + 2).xyz;
   return PieceFrame((a + b + c) / 3.0, side * unitOr(cross(b - a, c - a), vec3(0.0)),
                     unitOr(b - a, vec3(0.0)));
 }
@@ -103,15 +104,19 @@ float densityOfRays(vec3 direction, float cosine) {
   return density + float(bright) * above / brightSky.light.y;
 }
 
-// What a cluster sees of the sky.
-struct SkySeen {
-  vec3 share;   // of its irradiance
-  float light;  // of all rays, were they free
-  float slant;  // mean cosine inside
-  float room;   // harmonic mean of how far away it is what rays meet, mm
+// What rays outwards bring together.
+struct SkySum {
+  vec3 free;
+  vec3 all;       // of all rays, were they free
+  float freeEven;  // of even light
+  float allEven;
+  float slant;     // of free light, times its cosine inside
+  float nearness;  // one over how far away it is what rays meet, 1/mm
+  float meets;
 };
 
-SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
+// Of every `lanes`-th ray of the cluster, from `lane` on.
+SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
@@ -120,15 +125,10 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   uint toBright = raysToBright();
   uint aboutNormal = raysOutwards - toBright;
-  vec3 free = vec3(0.0);
-  vec3 all = vec3(0.0);
-  float slant = 0.0;
-  float nearness = 0.0;
-  float meets = 0.0;
-  float freeEven = 0.0;  // of even light
-  float allEven = 0.0;
-  for (uint k = 0u; k < raysOutwards; ++k) {
+  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+  for (uint k = lane; k < raysOutwards; k += lanes) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
+    if (range.kind == lining) continue;  // within a body
     bool isAboutNormal = k < aboutNormal;
     uint kind = isAboutNormal ? aboutNormal : toBright;  // how many of it there are
     uint which = isAboutNormal ? k : k - aboutNormal;
@@ -147,15 +147,15 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
     // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
     vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
-    all += radiance;
-    allEven += entering;
+    sum.all += radiance;
+    sum.allEven += entering;
     if (hit.piece == noPiece) {
-      free += radiance;
-      slant += dot(radiance, vec3(cosineInside(eta, outside)));
-      freeEven += entering;
+      sum.free += radiance;
+      sum.slant += dot(radiance, vec3(cosineInside(eta, outside)));
+      sum.freeEven += entering;
     } else {
-      nearness += 1.0 / max(hit.distance, least);
-      meets += 1.0;
+      sum.nearness += 1.0 / max(hit.distance, least);
+      sum.meets += 1.0;
       ObjectData met = objects[objectOfPiece(hit.piece)];
       MediumData other = mediumAt(met, place.middle + hit.distance * direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
@@ -169,45 +169,55 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
                                                  transmittedInto(other.boundary.x, cosine));
     }
   }
-  // So that what enters of even light is all of it, from wherever it comes.
-  float whole = pi * insideOf(own).extinction.w / max(allEven, 1e-30);
-  if (toBright > 0u)
-    for (uint k = 0u; k < raysOutwards; ++k) meetings[i * raysOutwards + k].share *= whole;
-  float sum = free.r + free.g + free.b;
-  float mean = insideOf(own).sigma.w;
-  float evenShare = allEven > 0.0 ? freeEven / allEven : 0.0;
-  // Where it is dark in a channel, whatever the others do is right.
-  return SkySeen(mix(vec3(evenShare), overOr0(free, all), greaterThan(all, vec3(1e-30))),
-                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean, meets > 0.0 ? meets / nearness : 3e38);
+  return sum;
 }
 
-// From within a body.
-SkySeen seeNothing(uint i, ObjectData body) {
-  for (uint k = 0u; k < raysOutwards; ++k) meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
-  return SkySeen(vec3(0.0), 0.0, insideOf(body).sigma.w, 0.0);
+SkySum sumOfLanes(SkySum part) {
+  vec4 free = sumOfLanes(vec4(part.free, part.freeEven));
+  vec4 all = sumOfLanes(vec4(part.all, part.allEven));
+  vec4 others = sumOfLanes(vec4(part.slant, part.nearness, part.meets, 0.0));
+  return SkySum(free.rgb, all.rgb, free.w, all.w, others.x, others.y, others.z);
+}
+
+float thicknessBelow(Cluster cluster, ObjectData body) {
+  RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w, rayStartOf(cluster), 3e38,
+                               RayTarget(body.tree.x, body.tree.w, body.body.x));
+  return through.piece == noPiece ? 1e18 : through.distance;
+}
+
+// What a cluster sees of the sky; what one sees that is asked for none or lies within a body is `seen`.
+void put(uint i, Cluster cluster, ClusterRange range, float thickness, SkySum sum) {
+  ObjectData body = objects[range.object];
+  float mean = insideOf(body).sigma.w;
+  bool looks = raysOutwards > 0u && range.kind != lining;
+  float light = sum.free.r + sum.free.g + sum.free.b;
+  float evenShare = sum.allEven > 0.0 ? sum.freeEven / sum.allEven : 0.0;
+  // Where it is dark in a channel, whatever the others do is right.
+  vec3 share = mix(vec3(evenShare), overOr0(sum.free, sum.all), greaterThan(sum.all, vec3(1e-30)));
+  if (!looks) share = vec3(raysOutwards > 0u ? 0.0 : 1.0);
+  skyShares[i] = vec4(share, sum.all.r + sum.all.g + sum.all.b);
+  // Around what is opaque, the harmonic mean of how far away that is.
+  float room = looks ? (sum.meets > 0.0 ? sum.meets / sum.nearness : 3e38) : 0.0;
+  clusters[i].start.w = range.kind == opaqueBody ? room : thickness;
+  clusters[i].facet.w = light > 1e-30 ? sum.slant / light : mean;
+  clusters[i].second = vec4(shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
+                            range.kind != openBody ? 1.0 : 0.0);
 }
 
 void main() {
-  uint i = linearIndex();
-  if (i >= clusterCount) return;
-  Cluster cluster = clusters[i];
-  ClusterRange range = ranges[i];
+  uint i = linearIndex() / lanes;
+  uint lane = linearIndex() % lanes;
+  bool isThere = i < clusterCount;
+  Cluster cluster = clusters[min(i, clusterCount - 1u)];
+  ClusterRange range = ranges[min(i, clusterCount - 1u)];
   ObjectData body = objects[range.object];
-  RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
-                               rayStartOf(cluster), 3e38,
-                               RayTarget(body.tree.x, body.tree.w, body.body.x));
-  float thickness = through.piece == noPiece ? 1e18 : through.distance;
-  SkySeen sky = SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w, 0.0);
-  if (raysOutwards > 0u) {
-    if (range.kind == lining)
-      sky = seeNothing(i, body);
-    else
-      sky = lookAround(i, cluster, range);
-  }
-  skyShares[i] = vec4(sky.share, sky.light);
-  clusters[i].start.w = range.kind == opaqueBody ? sky.room : thickness;
-  clusters[i].facet.w = sky.slant;
-  clusters[i].second = vec4(
-      shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
-      range.kind != openBody ? 1.0 : 0.0);
+  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+  if (isThere) sum = lookAround(i, lane, cluster, range);
+  sum = sumOfLanes(sum);
+  // So that what enters of even light is all of it, from wherever it comes.
+  float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
+  if (isThere && raysToBright() > 0u)
+    for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
+  // The last has the fewest rays of the others.
+  if (isThere && lane == lanes - 1u) put(i, cluster, range, thicknessBelow(cluster, body), sum);
 }

@@ -2,11 +2,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
-layout(set = 0, binding = 2) uniform samplerBuffer sources;  // Source
+TEXELS(2, sources);  // Source
 layout(std430, set = 0, binding = 3) writeonly buffer Nodes { TreeNode nodes[]; };
 
 layout(std430, set = 0, binding = 4) writeonly buffer Boxes { NodeBox boxes[]; };
@@ -28,8 +29,8 @@ void main() {
   mat3 weighted = mat3(0.0);
   vec3 byArea = vec3(0.0);
   for (uint s = from; s < to; ++s) {
-    vec4 place = texelFetch(sources, 2 * int(s));
-    vec3 f = texelFetch(sources, 2 * int(s) + 1).rgb;
+    vec4 place = texelOf(sources, 2 * int(s));
+    vec3 f = texelOf(sources, 2 * int(s) + 1).rgb;
     flux += f;
     area += place.w;
     byArea += place.w * place.xyz;
@@ -38,7 +39,7 @@ void main() {
   float all = flux.r + flux.g + flux.b;
   vec3 middle = all > 0.0    ? (weighted[0] + weighted[1] + weighted[2]) / all
                 : area > 0.0 ? byArea / area
-                             : texelFetch(sources, 2 * int(from)).xyz;
+                             : texelOf(sources, 2 * int(from)).xyz;
   mat3 centroids;
   for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
 
@@ -47,8 +48,8 @@ void main() {
   vec3 high = middle;
   mat3 moments = mat3(0.0);
   for (uint s = from; s < to; ++s) {
-    vec4 place = texelFetch(sources, 2 * int(s));
-    vec3 f = texelFetch(sources, 2 * int(s) + 1).rgb;
+    vec4 place = texelOf(sources, 2 * int(s));
+    vec3 f = texelOf(sources, 2 * int(s) + 1).rgb;
     low = min(low, place.xyz);
     high = max(high, place.xyz);
     for (int c = 0; c < 3; ++c) {

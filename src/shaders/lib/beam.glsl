@@ -5,16 +5,17 @@
 #define OPALINE_LIB_BEAM
 #include "lib/boundary.glsl"
 #include "lib/point_counts.glsl"
+#include "lib/texels.glsl"
 #include "lib/unit.glsl"
 
-layout(set = 0, binding = BINDING_POINTS) uniform samplerBuffer points;  // BeamPoint
+TEXELS(BINDING_POINTS, points);  // BeamPoint
 // Of each beam: power that entered through its cluster; w: numbers of its points as packPointCounts has them.
 layout(std430, set = 0, binding = BINDING_STRENGTHS) readonly buffer Strengths { vec4 strengths[]; };
 
 BeamPoint readPoint(uint beam, uint p) {
   uint index = beam * maxPoints + p;
-  return BeamPoint(texelFetch(points, 3 * int(index)), texelFetch(points, 3 * int(index) + 1),
-                   texelFetch(points, 3 * int(index) + 2));
+  return BeamPoint(texelOf(points, 3 * int(index)), texelOf(points, 3 * int(index) + 1),
+                   texelOf(points, 3 * int(index) + 2));
 }
 
 vec3 shareOf(BeamPoint point) {

@@ -2,16 +2,17 @@
 // on. Needs BINDING_BEAM_NODES.
 #ifndef OPALINE_LIB_BEAM_NODE
 #define OPALINE_LIB_BEAM_NODE
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
-layout(set = 0, binding = BINDING_BEAM_NODES) uniform samplerBuffer beamNodes;  // BeamNode
+TEXELS(BINDING_BEAM_NODES, beamNodes);  // BeamNode
 
 BeamNode readBeamNode(uint index) {
   int first = 6 * int(index);
-  return BeamNode(texelFetch(beamNodes, first), texelFetch(beamNodes, first + 1),
-                  texelFetch(beamNodes, first + 2), texelFetch(beamNodes, first + 3),
-                  texelFetch(beamNodes, first + 4), texelFetch(beamNodes, first + 5));
+  return BeamNode(texelOf(beamNodes, first), texelOf(beamNodes, first + 1),
+                  texelOf(beamNodes, first + 2), texelOf(beamNodes, first + 3),
+                  texelOf(beamNodes, first + 4), texelOf(beamNodes, first + 5));
 }
 
 uint linkOf(BeamNode node) {

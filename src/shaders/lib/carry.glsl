@@ -6,18 +6,19 @@
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_weight.glsl"
 #include "lib/origin.glsl"
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 #include "shared/medium.h"
 #include "shared/paint.h"
 
 // As texels: Mesa's software device reads storage word by word.
-layout(set = 0, binding = BINDING_CLUSTERS) uniform samplerBuffer clusters;  // Cluster
-layout(set = 0, binding = BINDING_EXITANCES) uniform samplerBuffer exitances;
-layout(set = 0, binding = BINDING_MEANS) uniform samplerBuffer means;
+TEXELS(BINDING_CLUSTERS, clusters);  // Cluster
+TEXELS(BINDING_EXITANCES, exitances);
+TEXELS(BINDING_MEANS, means);
 
 #ifdef BINDING_NEARBY
-layout(set = 0, binding = BINDING_NEARBY) uniform samplerBuffer nearby;
+TEXELS(BINDING_NEARBY, nearby);
 #endif
 
 // Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
@@ -33,13 +34,13 @@ layout(std430, set = 0, binding = BINDING_BARE_LIGHTS) readonly buffer BareLight
 vec3 enteredAround = vec3(0.0);
 
 vec3 exitanceOfCluster(uint i, bool painted, float weight) {
-  if (withPaint == 0u || !painted) return texelFetch(exitances, int(i)).rgb;
+  if (withPaint == 0u || !painted) return texelOf(exitances, int(i)).rgb;
   enteredAround += weight * bareLights[i].entered.rgb;
   return bareLights[i].exitance.rgb;
 }
 #else
 vec3 exitanceOfCluster(uint i, bool painted, float weight) {
-  return texelFetch(exitances, int(i)).rgb;
+  return texelOf(exitances, int(i)).rgb;
 }
 #endif
 
@@ -89,17 +90,17 @@ Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium
       bool opened = squared < reach * reach;
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
-        vec4 normalRadius = texelFetch(clusters, 7 * int(i) + 1);
+        vec4 normalRadius = texelOf(clusters, 7 * int(i) + 1);
         float edge = edgeOfDisc(normalRadius.w);
         float weight = weightOfCluster(squared, reach, edge, dot(normal, normalRadius.xyz));
         all += weight;
-        weight *= texelFetch(clusters, 7 * int(i) + 6).w;  // 0 without inside
+        weight *= texelOf(clusters, 7 * int(i) + 6).w;  // 0 without inside
         exitance += weight * exitanceOfCluster(i, painted, weight);
-        mean += weight * texelFetch(means, int(i)).rgb;
+        mean += weight * texelOf(means, int(i)).rgb;
         edges += weight * edge;
         inside += weight;
 #ifdef BINDING_NEARBY
-        around.origin += weight * texelFetch(nearby, int(i));
+        around.origin += weight * texelOf(nearby, int(i));
         around.normals += weight * normalRadius.xyz;
         around.squares += weight * squared;
 #endif

@@ -3,26 +3,27 @@
 #ifndef OPALINE_LIB_CLUSTER_NODE
 #define OPALINE_LIB_CLUSTER_NODE
 #include "lib/moment.glsl"
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
-layout(set = 0, binding = BINDING_CLUSTER_NODES) uniform samplerBuffer clusterNodes;  // ClusterNode
+TEXELS(BINDING_CLUSTER_NODES, clusterNodes);  // ClusterNode
 
 vec4 centroidLinkOf(uint node) {
-  return texelFetch(clusterNodes, 5 * int(node));
+  return texelOf(clusterNodes, 5 * int(node));
 }
 
 vec4 spreadOf(uint node) {
-  return texelFetch(clusterNodes, 5 * int(node) + 1);
+  return texelOf(clusterNodes, 5 * int(node) + 1);
 }
 
 vec3 vectorAreaOf(uint node) {
-  return texelFetch(clusterNodes, 5 * int(node) + 2).xyz;
+  return texelOf(clusterNodes, 5 * int(node) + 2).xyz;
 }
 
 Moment momentOf(uint node) {
-  return Moment(texelFetch(clusterNodes, 5 * int(node) + 3),
-                texelFetch(clusterNodes, 5 * int(node) + 4).xy);
+  return Moment(texelOf(clusterNodes, 5 * int(node) + 3),
+                texelOf(clusterNodes, 5 * int(node) + 4).xy);
 }
 
 #endif

@@ -3,11 +3,13 @@
 // BINDING_TILES, the first of two bindings.
 #ifndef OPALINE_LIB_CLUSTER_TILE
 #define OPALINE_LIB_CLUSTER_TILE
+#define TILE_WORK
 #include "lib/boundary.glsl"
+#include "lib/texels.glsl"
 #include "lib/work_group.glsl"
 
 layout(std430, set = 0, binding = BINDING_TILES) readonly buffer Tiles { ClusterTile tiles[]; };
-layout(set = 0, binding = BINDING_TILES + 1) uniform samplerBuffer clusterTexels;  // Cluster
+TEXELS(BINDING_TILES + 1, clusterTexels);  // Cluster
 
 const uint invocationsOfTile = gl_WorkGroupSize.x;
 
@@ -31,7 +33,7 @@ bool enterTile(uint tileCount) {
   medium = insideOf(body);
   leastSigma = leastOf(medium.sigma.rgb);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targets[t] = texelFetch(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)));
+    targets[t] = texelOf(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)));
   uint nodes = body.clusters.y - body.clusters.x;
   uint i = gl_LocalInvocationIndex;
   sliceBegin = body.clusters.x + nodes * i / invocationsOfTile;

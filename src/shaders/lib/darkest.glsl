@@ -2,13 +2,14 @@
 #ifndef OPALINE_LIB_DARKEST
 #define OPALINE_LIB_DARKEST
 #include "lib/bodies.glsl"
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 
-layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
+TEXELS(BINDING_NODES, nodes);  // TreeNode
 
 // In a body whose tree has that root.
 vec3 darkestOf(ObjectData body, uint root) {
-  return root == noNode ? vec3(0.0) : body.darkest.rgb * texelFetch(nodes, 5 * int(root) + 3).rgb;
+  return root == noNode ? vec3(0.0) : body.darkest.rgb * texelOf(nodes, 5 * int(root) + 3).rgb;
 }
 
 #endif

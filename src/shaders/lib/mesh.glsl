@@ -3,6 +3,7 @@
 #ifndef OPALINE_LIB_MESH
 #define OPALINE_LIB_MESH
 #define BINDING_VERTICES MESH_BINDING + 1
+#include "lib/texels.glsl"
 #include "lib/unit.glsl"
 #include "lib/vertex_at.glsl"
 
@@ -99,13 +100,13 @@ MeshPlace otherSideOf(MeshPlace place) {
 }
 
 #ifdef BINDING_MESH_EXITANCES
-layout(set = 0, binding = BINDING_MESH_EXITANCES) uniform samplerBuffer meshExitances;
+TEXELS(BINDING_MESH_EXITANCES, meshExitances);
 
 // Of vertices whose light begins there.
 vec4 meshExitanceAt(MeshPlace place, uint first) {
-  return place.weights.x * texelFetch(meshExitances, int(first + place.vertices.x)) +
-         place.weights.y * texelFetch(meshExitances, int(first + place.vertices.y)) +
-         place.weights.z * texelFetch(meshExitances, int(first + place.vertices.z));
+  return place.weights.x * texelOf(meshExitances, int(first + place.vertices.x)) +
+         place.weights.y * texelOf(meshExitances, int(first + place.vertices.y)) +
+         place.weights.z * texelOf(meshExitances, int(first + place.vertices.z));
 }
 
 vec4 meshExitanceAt(MeshPlace place) {
@@ -116,13 +117,13 @@ vec4 meshExitanceAt(MeshPlace place) {
 #ifdef BINDING_MESH_ORIGINS
 #include "lib/origin.glsl"
 
-layout(set = 0, binding = BINDING_MESH_ORIGINS) uniform samplerBuffer meshOrigins;
+TEXELS(BINDING_MESH_ORIGINS, meshOrigins);
 
 // Of the light that leaves there.
 vec4 meshOriginAt(MeshPlace place) {
-  return place.weights.x * texelFetch(meshOrigins, int(place.vertices.x)) +
-         place.weights.y * texelFetch(meshOrigins, int(place.vertices.y)) +
-         place.weights.z * texelFetch(meshOrigins, int(place.vertices.z));
+  return place.weights.x * texelOf(meshOrigins, int(place.vertices.x)) +
+         place.weights.y * texelOf(meshOrigins, int(place.vertices.y)) +
+         place.weights.z * texelOf(meshOrigins, int(place.vertices.z));
 }
 #endif
 

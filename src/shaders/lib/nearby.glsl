@@ -5,10 +5,11 @@
 #define OPALINE_LIB_NEARBY
 #include "lib/surfel_sum.glsl"
 #include "lib/pi.glsl"
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
-layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
+TEXELS(BINDING_NODES, nodes);  // TreeNode
 layout(std430, set = 0, binding = BINDING_SURFEL_NORMALS) readonly buffer SurfelNormals {
   vec4 surfelNormals[];
 };
@@ -63,8 +64,8 @@ struct Opened {
 Opened nextWithin(inout uint node, vec3 position, ObjectData body) {
   Opened opened = Opened(0u, 0u);
   while (node < body.tree.y && opened.end == 0u) {
-    vec4 green = texelFetch(nodes, 5 * int(node) + 1);
-    float radius = texelFetch(nodes, 5 * int(node)).w;
+    vec4 green = texelOf(nodes, 5 * int(node) + 1);
+    float radius = texelOf(nodes, 5 * int(node)).w;
     uint link = floatBitsToUint(green.w);
     bool apart = distance(green.xyz, position) > body.darkest.w + radius;
     if (!apart && isLeaf(link)) {

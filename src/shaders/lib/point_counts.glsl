@@ -1,6 +1,17 @@
-// A cluster's numbers of points of first and of second collisions in one float, exactly.
+// A beam's numbers of points of first and of second collisions, and both in one float, exactly.
 #ifndef OPALINE_LIB_POINT_COUNTS
 #define OPALINE_LIB_POINT_COUNTS
+#include "shared/boundary.h"
+
+// Directions in which the p-th point of first collisions is followed on.
+uint directionsFrom(uint p) {
+  return p < pointsOfFirstSegment ? directionsOfPoint : 1u;
+}
+
+// Of so many points of first collisions, how many of second ones come.
+uint secondPointsOf(uint first) {
+  return first + min(first, pointsOfFirstSegment) * (directionsOfPoint - 1u);
+}
 
 const float secondCountsFrom = 64.0;
 

@@ -7,8 +7,9 @@
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
 #include "lib/lesser.glsl"
+#include "lib/texels.glsl"
 
-layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayHierarchy;  // RayBox
+TEXELS(BINDING_RAYS, rayHierarchy);  // RayBox
 
 struct Ray {
   vec3 origin;
@@ -51,13 +52,17 @@ bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
 // Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
 void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   int at = 3 * int(piece);
-  vec4 a4 = texelFetch(pieceCorners, at);
-  vec4 b4 = texelFetch(pieceCorners, at + 1);
-  vec4 c4 = texelFetch(pieceCorners, at + 2);
-  // Whichever corner of a piece a place is, it has to become the same, bit by bit.
-  precise vec3 a = ray.turn * (a4.xyz - ray.origin);
-  precise vec3 b = ray.turn * (b4.xyz - ray.origin);
-  precise vec3 c = ray.turn * (c4.xyz - ray.origin);
+  vec4 a4 = texelOf(pieceCorners, at);
+  vec4 b4 = texelOf(pieceCorners, at + 1);
+  vec4 c4 = texelOf(pieceCorners, at + 2);
+  // Whichever corner of a piece a place is, it has to become the same, bit by bit. Devices may
+  // multiply a matrix in any order, even if the product is precise.
+  precise vec3 a = a4.xyz - ray.origin;
+  precise vec3 b = b4.xyz - ray.origin;
+  precise vec3 c = c4.xyz - ray.origin;
+  a = ray.turn[0] * a.x + ray.turn[1] * a.y + ray.turn[2] * a.z;
+  b = ray.turn[0] * b.x + ray.turn[1] * b.y + ray.turn[2] * b.z;
+  c = ray.turn[0] * c.x + ray.turn[1] * c.y + ray.turn[2] * c.z;
   // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
   // rounding gives one of the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
@@ -83,8 +88,8 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
     uint met = 0u;       // link of a leaf, which is not 0
     float pieces = 0.0;  // of each of its surfels
     do {
-      vec4 low = texelFetch(rayHierarchy, 2 * int(node));
-      vec4 high = texelFetch(rayHierarchy, 2 * int(node) + 1);
+      vec4 low = texelOf(rayHierarchy, 2 * int(node));
+      vec4 high = texelOf(rayHierarchy, 2 * int(node) + 1);
       uint link = floatBitsToUint(low.w);
       bool meets = meetsBox(ray, low.xyz, high.xyz, hit.distance);
       bool leaf = isLeaf(link);

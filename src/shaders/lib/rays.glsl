@@ -4,10 +4,11 @@
 //   uint firstPieceOf(uint object)
 #ifndef OPALINE_LIB_RAYS
 #define OPALINE_LIB_RAYS
+#include "lib/texels.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/rays.h"
 
-layout(set = 0, binding = BINDING_PIECE_CORNERS) uniform samplerBuffer pieceCorners;  // RayPiece
+TEXELS(BINDING_PIECE_CORNERS, pieceCorners);  // RayPiece
 
 const uint noPiece = 0xffffffffu;
 
@@ -57,13 +58,13 @@ bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance,
 // counter-clockwise.
 vec3 facetNormal(uint piece) {
   int at = 3 * int(piece);
-  vec3 a = texelFetch(pieceCorners, at).xyz;
-  return normalize(cross(texelFetch(pieceCorners, at + 1).xyz - a,
-                         texelFetch(pieceCorners, at + 2).xyz - a));
+  vec3 a = texelOf(pieceCorners, at).xyz;
+  return normalize(cross(texelOf(pieceCorners, at + 1).xyz - a,
+                         texelOf(pieceCorners, at + 2).xyz - a));
 }
 
 uint objectOfPiece(uint piece) {
-  return uint(texelFetch(pieceCorners, 3 * int(piece)).w);
+  return uint(texelOf(pieceCorners, 3 * int(piece)).w);
 }
 
 // The nearest place where a ray through the inside of a body comes out: folds of the surface that it

@@ -2,16 +2,17 @@
 #ifndef OPALINE_LIB_SURFEL_SUM
 #define OPALINE_LIB_SURFEL_SUM
 #include "lib/scatter.glsl"
+#include "lib/texels.glsl"
 #include "shared/surfels.h"
 
-layout(set = 0, binding = BINDING_SOURCES) uniform samplerBuffer sources;  // Source
+TEXELS(BINDING_SOURCES, sources);  // Source
 
 vec4 positionAreaOf(uint source) {
-  return texelFetch(sources, 2 * int(source));
+  return texelOf(sources, 2 * int(source));
 }
 
 vec3 fluxOf(uint source) {
-  return texelFetch(sources, 2 * int(source) + 1).rgb;
+  return texelOf(sources, 2 * int(source) + 1).rgb;
 }
 
 // The same bits in every shader: each source is on one side of the reach.

@@ -3,7 +3,7 @@
 #define OPALINE_LIB_TILE_SUM
 #include "lib/cluster_tile.glsl"
 
-shared vec3 tileTerms[invocationsOfTile][maxClustersOfTile];  // of subgroups
+shared vec3 tileTerms[invocationsOfTile / 4u][maxClustersOfTile];  // of subgroups: of 4 at least
 
 // Every invocation of the group calls it for each of the clusters.
 void addToTile(uint target, vec3 term) {

@@ -28,12 +28,12 @@ Derivatives profileDerivatives(Profile profile, vec3 squaredMm2) {
 
 TreeNode readNode(uint index) {
   int first = 5 * int(index);
-  vec4 red = texelFetch(nodes, first);
-  vec4 green = texelFetch(nodes, first + 1);
-  vec4 blue = texelFetch(nodes, first + 2);
-  vec4 flux = texelFetch(nodes, first + 3);
+  vec4 red = texelOf(nodes, first);
+  vec4 green = texelOf(nodes, first + 1);
+  vec4 blue = texelOf(nodes, first + 2);
+  vec4 flux = texelOf(nodes, first + 3);
   return TreeNode(red.xyz, red.w, green.xyz, floatBitsToUint(green.w), blue.xyz, blue.w, flux.xyz,
-                  flux.w, texelFetch(nodes, first + 4));
+                  flux.w, texelOf(nodes, first + 4));
 }
 
 // Squared distances to the centroids of the three channels' flux.

@@ -2,12 +2,13 @@
 #ifndef OPALINE_LIB_VERTEX_AT
 #define OPALINE_LIB_VERTEX_AT
 #include "lib/position_at.glsl"
+#include "lib/texels.glsl"
 
-layout(set = 0, binding = BINDING_VERTICES + 1) uniform samplerBuffer normals;
+TEXELS(BINDING_VERTICES + 1, normals);
 
 // Unit; w is below 0 where the body is mirrored.
 vec4 normalOf(uint vertex) {
-  return texelFetch(normals, int(vertex));
+  return texelOf(normals, int(vertex));
 }
 
 #endif

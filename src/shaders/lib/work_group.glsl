@@ -1,11 +1,13 @@
 // A work group for each element of a list, whose invocations share what is to be done for it; see
-// CommandList::dispatchGroups. The device says how many they are (gpu::WorkGroups). With LONG_WORK defined
-// they are enough for loops of half a million rounds in all.
+// CommandList::dispatchGroups. The device says how many they are (gpu::WorkGroups): with TILE_WORK defined for what acts
+// on the clusters of a tile, and with LONG_WORK for loops of half a million rounds in all.
 #ifndef OPALINE_LIB_WORK_GROUP
 #define OPALINE_LIB_WORK_GROUP
 
-#ifdef LONG_WORK
+#if defined(LONG_WORK)
 layout(local_size_x = 64, local_size_x_id = 17) in;
+#elif defined(TILE_WORK)
+layout(local_size_x = 64, local_size_x_id = 20) in;
 #else
 layout(local_size_x = 64, local_size_x_id = 16) in;
 #endif

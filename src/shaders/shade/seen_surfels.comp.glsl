@@ -49,10 +49,10 @@ void meetLeaf(vec3 place, uint node, uint link, uint pieces, inout Nearest neare
   uint end = first + surfelCountOf(link) * pieces;
   for (uint piece = first; piece < end; ++piece) {
     int at = 3 * int(piece);
-    vec4 c = texelFetch(pieceCorners, at + 2);
+    vec4 c = texelOf(pieceCorners, at + 2);
     if (c.w < 0.0) continue;  // fills a surfel, or has no area
-    float square = squareToPiece(place, texelFetch(pieceCorners, at).xyz,
-                                 texelFetch(pieceCorners, at + 1).xyz, c.xyz);
+    float square = squareToPiece(place, texelOf(pieceCorners, at).xyz,
+                                 texelOf(pieceCorners, at + 1).xyz, c.xyz);
     if (square < nearest.square) nearest = Nearest(square, piece, node, pieces);
   }
 }
@@ -61,8 +61,8 @@ Nearest nearestPiece(vec3 place, uint firstNode, uint endNode, float within) {
   Nearest nearest = Nearest(within * within, noPiece, firstNode, 1u);
   uint node = firstNode;
   while (node < endNode) {
-    vec4 low = texelFetch(rayHierarchy, 2 * int(node));
-    vec4 high = texelFetch(rayHierarchy, 2 * int(node) + 1);
+    vec4 low = texelOf(rayHierarchy, 2 * int(node));
+    vec4 high = texelOf(rayHierarchy, 2 * int(node) + 1);
     uint link = floatBitsToUint(low.w);
     bool near = squareOf(place - clamp(place, low.xyz, high.xyz)) < nearest.square;
     if (near && isLeaf(link)) meetLeaf(place, node, link, uint(high.w), nearest);
@@ -72,7 +72,7 @@ Nearest nearestPiece(vec3 place, uint firstNode, uint endNode, float within) {
 }
 
 uint afterNode(uint node) {
-  return afterNode(node, floatBitsToUint(texelFetch(rayHierarchy, 2 * int(node)).w));
+  return afterNode(node, floatBitsToUint(texelOf(rayHierarchy, 2 * int(node)).w));
 }
 
 // The node on the way from the root to a leaf that lies so many levels below the root.
@@ -92,8 +92,8 @@ void main() {
   vec4 found = vec4(-1.0);
   if (surface.w > 0.0) {
     uvec4 tree = objects[uint(surface.w) - 1u].tree;
-    vec3 low = texelFetch(rayHierarchy, 2 * int(tree.x)).xyz;
-    float across = length(texelFetch(rayHierarchy, 2 * int(tree.x) + 1).xyz - low);
+    vec3 low = texelOf(rayHierarchy, 2 * int(tree.x)).xyz;
+    float across = length(texelOf(rayHierarchy, 2 * int(tree.x) + 1).xyz - low);
     // The place lies on its piece but for rounding, so look there first, and further off after.
     Nearest nearest;
     nearest.piece = noPiece;

@@ -18,7 +18,7 @@
 #include "lib/sky_block.glsl"
 #include "lib/sky_rays.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 64, local_size_x_id = 19) in;
 
 layout(set = 0, binding = 5, r32f) writeonly uniform image2D skyBlocks;
 

@@ -138,6 +138,12 @@ struct BeamPoint {
   vec4 blue;
 };
 
+/// Of a point of first collisions, what its second ones need.
+struct FirstCollision {
+  vec4 arrival;  // unit: where light comes along there
+  vec4 onward;   // rgb: by how much the points lie further on than where light collides, mm
+};
+
 /// What a ray from a cluster met outside: another cluster, and which part of the light that comes
 /// from there enters here by this ray.
 struct Meeting {

@@ -3,9 +3,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
+#include "lib/texels.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three a vertex, mm
-layout(set = 0, binding = 1) uniform samplerBuffer grid;
+TEXELS(1, grid);
 layout(std430, set = 0, binding = 2) writeonly buffer Positions { float positions[]; };
 
 layout(push_constant) uniform Push {
@@ -28,7 +29,7 @@ void main() {
       for (uint y = 0u; y < 3u; ++y) {
         int row = int(first.x + size.x * (first.y + y + size.y * (first.z + z)));
         vec3 sum = vec3(0.0);
-        for (int x = 0; x < 3; ++x) sum += weights[x].x * texelFetch(grid, row + x).xyz;
+        for (int x = 0; x < 3; ++x) sum += weights[x].x * texelOf(grid, row + x).xyz;
         shift += weights[y].y * weights[z].z * sum;
       }
     at += origin.w * shift;

@@ -154,8 +154,9 @@ State& state() {
 PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
 PFN_vkDestroyInstance nextDestroyInstance = nullptr;  // asked for early: later the loader answers
-PFN_vkDestroyDevice nextDestroyDevice = nullptr;      // with the first of all layers
-std::atomic<VkDevice> device = VK_NULL_HANDLE;        // the last
+PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
+PFN_vkDestroyDevice nextDestroyDevice = nullptr;  // with the first of all layers
+std::atomic<VkDevice> device = VK_NULL_HANDLE;    // the last
 
 void waitForDevice() {
   if (device == VK_NULL_HANDLE) return;
@@ -331,6 +332,8 @@ VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info,
   ++state().living("VkInstance");
   nextDestroyInstance =
       reinterpret_cast<PFN_vkDestroyInstance>(nextOfInstance(*instance, "vkDestroyInstance"));
+  nextGetProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
+      nextOfInstance(*instance, "vkGetPhysicalDeviceProperties"));
   find([&](const char* name) { return nextOfInstance(*instance, name); });
   return result;
 }
@@ -385,6 +388,14 @@ VKAPI_ATTR VkResult VKAPI_CALL listExtensions(VkPhysicalDevice physical, const c
   return result;
 }
 
+bool claimsHardware = false;
+
+VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice physical,
+                                         VkPhysicalDeviceProperties* properties) {
+  nextGetProperties(physical, properties);
+  if (claimsHardware) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+}
+
 }  // namespace
 
 #define OPALINE_EXPORT extern "C" __attribute__((visibility("default")))
@@ -421,6 +432,7 @@ PFN_vkVoidFunction ours(std::string_view name) {
   if (name == "vkCreateDevice") return as(makeDevice);
   if (name == "vkDestroyDevice") return as(destroyDevice);
   if (name == "vkEnumerateDeviceExtensionProperties") return as(listExtensions);
+  if (name == "vkGetPhysicalDeviceProperties") return as(getProperties);
   if (name == "vkGetInstanceProcAddr") return as(opalineGetInstanceProcAddr);
   if (name == "vkGetDeviceProcAddr") return as(opalineGetDeviceProcAddr);
   for (const Entry& entry : entries)
@@ -440,6 +452,10 @@ OPALINE_EXPORT void opalineHideFunction(const char* function) {
 
 OPALINE_EXPORT void opalineHideExtension(const char* extension) {
   hiddenExtension = extension == nullptr ? "" : extension;
+}
+
+OPALINE_EXPORT void opalineClaimHardware(bool claims) {
+  claimsHardware = claims;
 }
 
 OPALINE_EXPORT std::uint64_t opalineCallsSinceArmed() {

@@ -1,0 +1,35 @@
+#include "gpu/work_groups.h"
+
+#include <algorithm>
+
+namespace opaline::gpu {
+
+namespace {
+
+WorkGroups ofSoftware(std::uint32_t subgroupSize) {
+  WorkGroups groups;
+  constexpr std::uint32_t least = 8;  // shared::maxClustersOfTile
+  if (subgroupSize < least) return groups;
+  constexpr std::uint32_t most = 64;
+  groups.invocations = std::min(subgroupSize, most);
+  groups.invocationsOfTile = groups.invocations;
+  // Mesa's device ends an invocation's loops after 65,535 rounds in all: what may take more than
+  // that of eight gets twice as many.
+  groups.invocationsOfLongWork = std::clamp(subgroupSize, 2 * least, most);
+  return groups;
+}
+
+}  // namespace
+
+WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
+                        const VkPhysicalDeviceLimits& limits) {
+  if (isSoftware) return ofSoftware(subgroupSize);
+  // As measured on an H200. Every device has 128.
+  const std::uint32_t large = limits.maxComputeWorkGroupInvocations >= 256 ? 256 : 128;
+  WorkGroups groups;
+  groups.invocationsOfLongWork = groups.invocationsOfRays = groups.invocationsOfTile = large;
+  groups.lanes = 8;
+  return groups;
+}
+
+}  // namespace opaline::gpu
