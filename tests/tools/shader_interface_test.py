@@ -9,14 +9,16 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 SHADER = """#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/texels.glsl"
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint halved = 0u;
 layout(std430, set = 0, binding = 3) readonly buffer Lengths { float lengths[]; };
 layout(std430, set = 0, binding = 1) buffer Sums { vec4 sums[]; };
-layout(set = 0, binding = 2) uniform samplerBuffer nodes;
+TEXELS(2, nodes);
 layout(push_constant) uniform Push { %s };
 void main() {
-  if (halved == 0u) sums[0] = vec4(lengths[count]) + texelFetch(nodes, 0) + factor;
+  if (halved == 0u) sums[0] = vec4(lengths[count]) + texelOf(nodes, 0) + factor;
 }
 """
 
@@ -39,16 +41,20 @@ class ShaderInterface(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.groups = ROOT / "src/shaders/binding_groups.h"
 
-    def interface(self, push=PUSH, shader=SHADER):
-        """What the tool answers of the shader with these push constants."""
+    def interface(self, push=PUSH, shader=SHADER, variants=("", "storage")):
+        """What the tool answers of the shader with these push constants, in these variants."""
         (self.folder / "sum.comp").write_text(shader % push)
-        subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-o", self.folder / "sum.spv",
-                        self.folder / "sum.comp"], check=True)
+        modules = []
+        for variant in variants:
+            spirv = self.folder / f"sum{variant}.spv"
+            subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-I", ROOT / "src/shaders", f"-D{variant.upper() or 'TEXEL'}", "-o",
+                            spirv, self.folder / "sum.comp"], check=True)
+            modules.append(f"{variant}=wordsSum{variant}={spirv}")
         return subprocess.run(
             [sys.executable, ROOT / "cmake/shader_interface.py", "--type", "Sum",
              "--shared", f"shaders/shared={ROOT / 'src/shaders/shared'}", "--groups", f"shaders={self.groups}",
              "--header", self.folder / "shaders/sum.comp.h",
-             "--layouts", self.folder / "layouts.h", f"=wordsSum={self.folder / 'sum.spv'}"],
+             "--layouts", self.folder / "layouts.h", *modules],
             capture_output=True, text=True)
 
     def compiles(self, bindings=BINDINGS, push="{.count = 1, .factor = 2}", constants="{.halved = 1}"):
@@ -120,6 +126,13 @@ class ShaderInterface(unittest.TestCase):
 
         self.assertEqual(self.interface(shader=with_buffers(14)).returncode, 0)
         self.assertIn("Sum has 17 storage buffers", self.interface(shader=with_buffers(15)).stderr)
+
+    def test_tables_are_texels_or_storage(self):
+        self.interface()
+        header = (self.folder / "shaders/sum.comp.h").read_text()
+        self.assertIn("slots{{{1, gpu::BindingType::StorageBuffer}, {2, gpu::BindingType::TexelBuffer}", header)
+        self.assertIn("slotsStorage{{{1, gpu::BindingType::StorageBuffer}, {2, gpu::BindingType::StorageBuffer}", header)
+        self.assertIn("Sum reads texels and has no variant that reads storage", self.interface(variants=("",)).stderr)
 
 
 if __name__ == "__main__":
