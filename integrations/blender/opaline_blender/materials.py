@@ -52,7 +52,7 @@ class Materials:
             color = self._brightest[look.color_picture.key()]
             paint = opaline.Paint(color_texture=texture)
         medium = subsurface.medium_of(look.radius_mm, color, look.radius_kind, look.subsurface_ior, look.anisotropy,
-                                      look.ior if look.specular else 1)
+                                      look.ior if look.specular else 1, look.roughness)
         return {"medium": medium, "paint": paint}
 
     def _texture(self, picture, read):

@@ -9,14 +9,19 @@ first a mean free path l, then the coefficients of its random walk:
 - The walk's single-scattering albedo is the fit of Wrenninge et al. 2017 to A and the mean cosine g, and its extinction is
   1 / (l (1 - g)).
 
+From 4.0 on Random Walk starts along the view, refracted at a rough surface (GGX), so that what is seen of A depends on it: by
+R(mu) = 1 - sqrt(1 - a) H(mu) of a half-space (Chandrasekhar 1960). We take the mean over views, weighted by their cosines.
+
 That walk has no boundary with Fresnel's reflection, which our media have. So we take what is seen of it: the medium gives
 back the same colour A in even light, and light spreads as far in it: its diffusion length is that of the walk."""
 
+import functools
 import math
 
 import numpy as np
 
 FIXED = "fixed"  # the radius is a mean free path, but for a factor
+ALONG_VIEW = "along view"  # the same of a walk that starts along the view
 ADJUSTED = "adjusted"  # the radius is a diffusion length, by the dipole
 
 # What nothing is made of: beyond it the fit's logarithms and the medium's coefficients end.
@@ -30,8 +35,9 @@ def kind_of(method):
     """Of Blender's name of a method. RANDOM_WALK means another thing in 3.x and in 4.x."""
     import bpy
 
-    adjusted = "RANDOM_WALK_SKIN" if bpy.app.version >= (4, 0, 0) else "RANDOM_WALK"
-    return ADJUSTED if method == adjusted else FIXED
+    if bpy.app.version >= (4, 0, 0):
+        return {"RANDOM_WALK_SKIN": ADJUSTED, "RANDOM_WALK": ALONG_VIEW}.get(method, FIXED)
+    return ADJUSTED if method == "RANDOM_WALK" else FIXED
 
 
 def dipole_reflectance(reduced_albedo, four_thirds_a):
@@ -61,9 +67,9 @@ def reduced_albedo_of(color, eta):
 
 def mean_free_path(radius, color, kind, eta):
     """Of the reduced medium, in the radius' unit."""
-    if kind == FIXED:
-        return radius / (4 * math.pi)
-    return radius * math.sqrt(3 * (1 - reduced_albedo_of(color, eta)))
+    if kind == ADJUSTED:
+        return radius * math.sqrt(3 * (1 - reduced_albedo_of(color, eta)))
+    return radius / (4 * math.pi)
 
 
 def walk_albedo(color, g):
@@ -102,15 +108,65 @@ def walk_length(radius, color, kind, eta, g):
     return float(diffusion_length(albedo * extinction * (1 - g), (1 - albedo) * extinction))
 
 
-def medium_of(radius_mm, color, kind, eta=1.4, g=0.0, surface_eta=1.5):
-    """opaline.Medium for red, green and blue. eta is the method's index of refraction, surface_eta that of the body."""
+def reflectances(albedo, cosines):
+    """Of a half-space that scatters evenly, for light that starts at these cosines."""
+    at, weights = (values / 2 for values in np.polynomial.legendre.leggauss(32))
+    at = at + 0.5
+    absorbed = math.sqrt(1 - albedo)
+
+    def h_functions(values, where):  # Chandrasekhar 1960, Eq. V.33
+        return 1 / (absorbed + albedo / 2 * (at * values * weights / (where[:, None] + at)).sum(axis=1))
+
+    values = np.ones_like(at)
+    for _ in range(1000):
+        before, values = values, h_functions(values, at)
+        if np.abs(values - before).max() < 1e-6:
+            break
+    return 1 - absorbed * h_functions(values, cosines)
+
+
+def refracted(cosine, eta, alpha, count=16):
+    """Cosines inside, for a view through microfacets of GGX that it sees (Heitz 2018)."""
+    u, v = (part.ravel() for part in np.meshgrid(*2 * [(np.arange(count) + 0.5) / count]))
+    view = np.array((math.sqrt(1 - cosine * cosine), 0, cosine))
+    stretched = np.array((alpha * view[0], 0, view[2]))
+    stretched /= np.linalg.norm(stretched)
+    along = np.array((stretched[2], 0, -stretched[0]))
+    a, b = np.sqrt(u) * np.cos(2 * math.pi * v), np.sqrt(u) * np.sin(2 * math.pi * v)
+    part = (1 + stretched[2]) / 2
+    b = (1 - part) * np.sqrt(1 - a * a) + part * b
+    normal = np.outer(a, (0, 1, 0)) + np.outer(b, -along) + np.outer(np.sqrt(np.maximum(1 - a * a - b * b, 0)), stretched)
+    normal = normal * (alpha, alpha, 1)
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    towards = normal @ view
+    inside = view[2] / eta - (towards / eta - np.sqrt(1 - (1 - towards * towards) / (eta * eta))) * normal[:, 2]
+    return inside[inside > 0]
+
+
+@functools.lru_cache(maxsize=64)
+def seen_in_mean(color, eta, g, roughness):
+    """Of a walk that starts along the view, the mean over views."""
+    albedo = walk_albedo(color, g)
+    even = albedo * (1 - g) / (1 - albedo * g)
+    squares, weights = np.polynomial.legendre.leggauss(8)
+    return sum(weight / 2 * float(reflectances(even, refracted(math.sqrt((square + 1) / 2), eta, roughness ** 2)).mean())
+               for square, weight in zip(squares, weights))
+
+
+def medium_of(radius_mm, color, kind, eta=1.4, g=0.0, surface_eta=1.5, roughness=0.5):
+    """opaline.Medium for red, green and blue. eta is the method's index of refraction, surface_eta that of the body, whose
+    roughness is for ALONG_VIEW."""
     import opaline
 
     color = np.clip(np.asarray(color, dtype=float)[:3], LEAST_COLOR, MOST_COLOR)
     radius = np.clip(np.asarray(radius_mm, dtype=float), 1e-4, 1e4)
     g = min(max(g, 0.0), 0.9)
     surface_eta = min(max(surface_eta, 1.01), MOST_ETA)
-    unit = opaline.Medium.from_appearance(color, (1, 1, 1), g, surface_eta)
+    seen = color
+    if kind == ALONG_VIEW:
+        seen = np.array([seen_in_mean(float(a), surface_eta, g, max(float(roughness), 1e-2)) for a in color])
+        seen = np.clip(seen, LEAST_COLOR, MOST_COLOR)
+    unit = opaline.Medium.from_appearance(seen, (1, 1, 1), g, surface_eta)
     length = diffusion_length(unit.sigma_s_prime_per_mm, np.maximum(unit.sigma_a_per_mm, 1e-12))
     wanted = np.array([walk_length(r, a, kind, min(max(eta, 1.01), 3.8), g) for r, a in zip(radius, color)])
-    return opaline.Medium.from_appearance(color, np.clip(wanted / length, 1e-6, 1e6), g, surface_eta)
+    return opaline.Medium.from_appearance(seen, np.clip(wanted / length, 1e-6, 1e6), g, surface_eta)

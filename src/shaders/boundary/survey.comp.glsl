@@ -185,7 +185,7 @@ float thicknessBelow(Cluster cluster, ObjectData body) {
   return through.piece == noPiece ? 1e18 : through.distance;
 }
 
-// What a cluster sees of the sky; what one sees that is asked for none or lies within a body is `seen`.
+// What is known of a cluster then. Without rays it sees all of the sky, and from within a body nothing.
 void put(uint i, Cluster cluster, ClusterRange range, float thickness, SkySum sum) {
   ObjectData body = objects[range.object];
   float mean = insideOf(body).sigma.w;
@@ -218,6 +218,6 @@ void main() {
   float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
   if (isThere && raysToBright() > 0u)
     for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
-  // The last has the fewest rays of the others.
+  // The last lane has the fewest rays outwards.
   if (isThere && lane == lanes - 1u) put(i, cluster, range, thicknessBelow(cluster, body), sum);
 }

@@ -56,7 +56,7 @@ near(look_of(principled(**{"Specular IOR Level": 0.0}))[0].specular, 0, "specula
 skin, said = look_of(principled(**{"Subsurface Weight": 1.0, "Subsurface Scale": 0.01}))
 near(skin.radius_mm, (10, 2, 1), "radius")
 common.check(skin.radius_kind == subsurface.ADJUSTED and not said, "Random Walk (Skin) adjusts its radius")
-common.check(look_of(principled("RANDOM_WALK", **{"Subsurface Weight": 1.0}))[0].radius_kind == subsurface.FIXED,
+common.check(look_of(principled("RANDOM_WALK", **{"Subsurface Weight": 1.0}))[0].radius_kind == subsurface.ALONG_VIEW,
              "Random Walk of 4.x keeps its radius")
 common.check(look_of(principled("BURLEY", **{"Subsurface Weight": 1.0}))[0].radius_kind == subsurface.FIXED, "Burley keeps its radius")
 near(subsurface.mean_free_path(1, 0.5, subsurface.FIXED, 1.4), 1 / (4 * math.pi), "mean free path")
