@@ -12,7 +12,6 @@
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
 #include "lib/paint.glsl"
-#include "lib/phase.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
@@ -58,7 +57,7 @@ uint light;
 uint beam;        // of the cluster and that light, among those that are found together
 uint pointCount;  // so far
 
-// Light that collides within the lengths along a ray, which a point takes as far as it is not followed further.
+// Of light that collides at these lengths along a ray; what is not followed further counts as a source further on.
 void put(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 lengths, vec3 shares) {
   vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
   vec3 ends = lengths + onward;
