@@ -225,7 +225,7 @@ def fields_of(struct, members):
 def require_few_buffers(shader, variants):
     """Each within what is asked of a device."""
     choice = pathlib.Path(__file__).resolve().parents[1] / "src/gpu/device_choice.h"
-    for variant, found in variants.items():
+    for variant, found in variants:
         limit = "storageBuffersForTexels" if variant else "storageBuffersOfStage"
         most = int(re.search(rf"{limit} = (\d+);", choice.read_text())[1])
         count = sum(kind[1] == "StorageBuffer" for _, kind in found.values())
@@ -240,8 +240,9 @@ def header_text(arguments, modules, shared):
     for _, _, module in modules[1:]:
         if push_of(module, shared)[0] != push or constants_of(module) != constants:
             fail("the variants of a shader have the same push constants and specialization constants")
-    require_few_buffers(arguments.type, dict(zip((variant for variant, _, _ in modules), variants)))
-    if any(kind == TEXELS for _, kind in variants[0].values()) and "storage" not in (name for name, _, _ in modules):
+    names = [name for name, _, _ in modules]
+    require_few_buffers(arguments.type, zip(names, variants))
+    if any(kind == TEXELS for _, kind in variants[0].values()) and "storage" not in names:
         fail(f"{arguments.type} reads texels and has no variant that reads storage: configure anew")
     fields = merged(variants)
     prefix, groups_file = arguments.groups.split("=")

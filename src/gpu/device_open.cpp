@@ -189,8 +189,10 @@ void Device::createDevice(const std::vector<std::string>& wanted, bool rayQuerie
 
 void Device::loadFunctions(PFN_vkGetInstanceProcAddr load, bool rayQueries) {
   vk_ = loadDeviceFunctions(ofInstance_, device_);
-  if (rayQueries) loadRayFunctions();
-  if (rayQueries) shaderVariant_ = ShaderVariant::RayQueries;
+  if (rayQueries) {
+    loadRayFunctions();
+    shaderVariant_ = ShaderVariant::RayQueries;
+  }
   // Null where the instance was made without VK_EXT_debug_utils.
   setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
       load(instance_, "vkSetDebugUtilsObjectNameEXT"));

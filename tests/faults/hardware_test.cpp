@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "faults/fault_layer.h"
+#include "faults/tiny_options.h"
 #include "opaline/renderer.h"
 #include "renderer/shapes.h"
 
@@ -18,11 +19,9 @@ namespace {
 using namespace test;
 
 RenderOptions smallOptions() {
-  RenderOptions options;
+  RenderOptions options = tinyOptions();
   options.width = options.height = 32;
-  options.maxSurfels = 1024;
   options.maxClusters = 128;
-  options.shadowSize = 64;
   options.antialias = 2;
   return options;
 }

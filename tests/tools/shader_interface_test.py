@@ -47,8 +47,9 @@ class ShaderInterface(unittest.TestCase):
         modules = []
         for variant in variants:
             spirv = self.folder / f"sum{variant}.spv"
-            subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-I", ROOT / "src/shaders", f"-D{variant.upper() or 'TEXEL'}", "-o",
-                            spirv, self.folder / "sum.comp"], check=True)
+            defined = [f"-D{variant.upper()}"] if variant else []
+            subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-I", ROOT / "src/shaders", *defined, "-o", spirv,
+                            self.folder / "sum.comp"], check=True)
             modules.append(f"{variant}=wordsSum{variant}={spirv}")
         return subprocess.run(
             [sys.executable, ROOT / "cmake/shader_interface.py", "--type", "Sum",

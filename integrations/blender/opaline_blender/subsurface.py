@@ -108,8 +108,8 @@ def walk_length(radius, color, kind, eta, g):
     return float(diffusion_length(albedo * extinction * (1 - g), (1 - albedo) * extinction))
 
 
-def reflectances(albedo, cosines):
-    """Of a half-space that scatters evenly, for light that starts at these cosines."""
+def reflectance_of(albedo):
+    """Of a half-space that scatters evenly, as a function of the cosines at which light starts."""
     at, weights = (values / 2 for values in np.polynomial.legendre.leggauss(32))
     at = at + 0.5
     absorbed = math.sqrt(1 - albedo)
@@ -122,7 +122,7 @@ def reflectances(albedo, cosines):
         before, values = values, h_functions(values, at)
         if np.abs(values - before).max() < 1e-6:
             break
-    return 1 - absorbed * h_functions(values, cosines)
+    return lambda cosines: 1 - absorbed * h_functions(values, cosines)
 
 
 def refracted(cosine, eta, alpha, count=16):
@@ -147,9 +147,9 @@ def refracted(cosine, eta, alpha, count=16):
 def seen_in_mean(color, eta, g, roughness):
     """Of a walk that starts along the view, the mean over views."""
     albedo = walk_albedo(color, g)
-    even = albedo * (1 - g) / (1 - albedo * g)
+    reflectance = reflectance_of(albedo * (1 - g) / (1 - albedo * g))  # as if it scattered evenly
     squares, weights = np.polynomial.legendre.leggauss(8)
-    return sum(weight / 2 * float(reflectances(even, refracted(math.sqrt((square + 1) / 2), eta, roughness ** 2)).mean())
+    return sum(weight / 2 * float(reflectance(refracted(math.sqrt((square + 1) / 2), eta, roughness ** 2)).mean())
                for square, weight in zip(squares, weights))
 
 

@@ -154,9 +154,9 @@ State& state() {
 PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
 PFN_vkDestroyInstance nextDestroyInstance = nullptr;  // asked for early: later the loader answers
+PFN_vkDestroyDevice nextDestroyDevice = nullptr;      // with the first of all layers
 PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
-PFN_vkDestroyDevice nextDestroyDevice = nullptr;  // with the first of all layers
-std::atomic<VkDevice> device = VK_NULL_HANDLE;    // the last
+std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the last
 
 void waitForDevice() {
   if (device == VK_NULL_HANDLE) return;
