@@ -6,8 +6,9 @@ target_compile_options(opaline_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wnon-virtual-dtor
   -Wold-style-cast -Woverloaded-virtual -Wno-missing-field-initializers -Werror)
 # In a unity build the names of a file are seen by those that are read after it.
+set(unity_warnings $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local;-Wno-subobject-linkage>)
 target_compile_options(opaline_warnings INTERFACE
-  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,${unity_warnings},-Wshadow>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(opaline_warnings INTERFACE -Wno-restrict)  # false positives, GCC bug 105651
 endif()
