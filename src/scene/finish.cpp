@@ -14,6 +14,7 @@
 #include "scene/matrix.h"
 #include "scene/not_shown.h"
 #include "scene/placed_lights.h"
+#include "scene/repair/duplicate_objects.h"
 #include "scene/repair/repair.h"
 #include "scene/rig.h"
 #include "scene/text.h"
@@ -240,6 +241,8 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.deformers = std::move(raw.deformers);
   scene.notShown = std::move(raw.notShown);
   setMedia(options, scene);
+  if (const std::size_t count = removeDuplicateObjects(scene); count > 0)
+    addRepair(scene.repairs, "duplicate objects", count);
   scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
   scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
   scene.cameraChosen = raw.cameraChosen;

@@ -96,7 +96,8 @@ translation_mm = [100, 0, 5]
 // glTF is in metres; an OBJ without a size of its own gets 50 mm.
 TEST_F(Joined, ManyOfOneNameAreNumberedAndTheirNotesSaidOnce) {
   std::string text = "[[models]]\nfile = 'cube.obj'\n";
-  for (int i = 0; i < 3; ++i) text += "[[models]]\nfile = 'cube.obj'\ntranslation_mm = [9, 0, 0]\n";
+  for (const std::string x : {"9", "18", "27"})
+    text += "[[models]]\nfile = 'cube.obj'\ntranslation_mm = [" + x + ", 0, 0]\n";
   test::writeBytes(folder / "scene.toml", text);
   std::vector<std::string> notes;
   LoadOptions options;
