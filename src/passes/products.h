@@ -271,11 +271,13 @@ struct Clusters {
 
 /// What the solver of boundary transport works with.
 struct Solver {
-  gpu::Buffer densities;  ///< shared::DensityNode
-  gpu::Buffer products;   ///< vec4 a cluster
-  gpu::Buffer basis;      ///< vec4 a cluster for each step and one more
-  gpu::Buffer sums;       ///< vec4, of tiles
-  gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
+  gpu::Buffer coefficients;              ///< shared::texelsOfActions a node of a tile's list
+  std::uint32_t roomOfCoefficients = 0;  ///< of nodes a tile; those of the others are not kept
+  gpu::Buffer densities;                 ///< shared::DensityNode
+  gpu::Buffer products;                  ///< vec4 a cluster
+  gpu::Buffer basis;                     ///< vec4 a cluster for each step and one more
+  gpu::Buffer sums;                      ///< vec4, of tiles
+  gpu::Buffer states;                    ///< shared::SolverState, of every solution of a frame
 };
 
 /// What else is kept of surfaces that the camera sees.

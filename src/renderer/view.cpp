@@ -311,7 +311,6 @@ class View::Implementation {
         makeFrameData(context_.edited.lighting(), camera, options_.shadowSize, plan_.samples);
     data.cameraAxis.w = groundOf(scene) ? 1.0F : 0.0F;
     const FrameUpload upload{frameData_.buffer(), frameData_.push(data)};
-    const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();
     slot.provisional = prepared_->isProvisional();
@@ -320,7 +319,8 @@ class View::Implementation {
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
                 resources);
-    slot.readback.record(slot.commands, resources, solves ? plan_.bounces + 1 : 0, prepared.solver);
+    slot.readback.record(slot.commands, resources, solves(plan_) ? plan_.bounces + 1 : 0,
+                         prepared.solver);
     if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
     if (order.exitance) slot.commands.use(resources.exitance.vertices, gpu::Access::Lent);
     outputs_.record(slot.commands, order, outputs,

@@ -26,6 +26,7 @@ FaultLayer::FaultLayer() {
   find(library, "opalineHideFunction", hide_);
   find(library, "opalineHideExtension", hideExtension_);
   find(library, "opalineClaimHardware", claimHardware_);
+  find(library, "opalineClaimTexels", claimTexels_);
   find(library, "opalineFaultedFunction", faulted_);
   find(library, "opalineLivingObjects", living_);
   find(library, "opalineDescribeLivingObjects", describe_);

@@ -22,6 +22,8 @@ class FaultLayer {
   void hideExtension(const char* extension) { hideExtension_(extension); }
   /// Software devices say that they are hardware.
   void claimHardware(bool claims) { claimHardware_(claims); }
+  /// Devices say that a buffer has no more texels; 0: as many as it has.
+  void claimTexels(std::uint32_t most) { claimTexels_(most); }
   /// The function that failed since then; empty if none has.
   std::string faulted() const;
   /// Objects that were created and not destroyed.
@@ -33,6 +35,7 @@ class FaultLayer {
   void (*hide_)(const char*) = nullptr;
   void (*hideExtension_)(const char*) = nullptr;
   void (*claimHardware_)(bool) = nullptr;
+  void (*claimTexels_)(std::uint32_t) = nullptr;
   const char* (*faulted_)() = nullptr;
   std::int64_t (*living_)() = nullptr;
   const char* (*describe_)() = nullptr;

@@ -114,7 +114,7 @@ FrameScaling measureClusters(const ScalingOrder& order) {
     options.maxClusters = std::max(mostClusters / part, fewestClusters);
     measurement.add(renderer, options);
   }
-  return measurement.measure({"clusters", "rays", "sources", "solve", "carry"},
+  return measurement.measure({"clusters", "rays", "coefficients", "sources", "solve", "carry"},
                              [](const View& view) { return view.report().clusters; });
 }
 

@@ -23,6 +23,16 @@ std::size_t inState(const SolverPass::Order& order, std::size_t member) {
   return order.solution * sizeof(shared::SolverState) + member;
 }
 
+// Of nodes, for each tile. On the bunny of marble 700 act on a tile on average, and 1120 at most.
+std::uint32_t roomOfCoefficients(const gpu::Device& device, const Clusters& clusters) {
+  constexpr std::size_t mostBytesOfAll = std::size_t{64} << 20U;
+  const std::size_t texels =
+      std::min(mostBytesOfAll, mostBytes(device.limits())) / sizeof(shared::vec4);
+  const std::size_t tiles = std::max(clusters.tileCount, 1U);
+  const std::size_t nodes = texels / (shared::texelsOfActions * tiles);
+  return static_cast<std::uint32_t>(std::min<std::size_t>(nodes, clusters.roomOfList - 1));
+}
+
 bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) {
   return order.isDiffuse && tables.entersAtSurface;
 }
@@ -30,7 +40,9 @@ bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) 
 }  // namespace
 
 SolverPass::SolverPass(gpu::Device& device)
-    : plain_(makePipelines(device, false)),
+    : coefficients_{{device, "coefficients", {.withSeveralMedia = 0}},
+                    {device, "coefficients", {.withSeveralMedia = 1}}},
+      plain_(makePipelines(device, false)),
       painted_(makePipelines(device, true)),
       powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0, .withPaint = 0}),
       furtherBounces_{{device, "further bounces", {.ofLast = 1, .withPaint = 0}},
@@ -51,6 +63,10 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
   const std::size_t nodes = std::size_t{clusters.tree.nodeCount} * shared::maxSolverSteps;
   const std::size_t count = clusters.count;
   Solver solver;
+  solver.roomOfCoefficients = roomOfCoefficients(device, clusters);
+  solver.coefficients = makeRoom<shared::vec4>(
+      device, "coefficients of the solver",
+      std::size_t{clusters.tileCount} * solver.roomOfCoefficients * shared::texelsOfActions);
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
   solver.products = makeRoom<shared::vec4>(device, "products", count);
   solver.basis =
@@ -63,6 +79,26 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                       std::vector<shared::SolverState>(solutions, shared::SolverState{}),
                       roomUsage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
   return solver;
+}
+
+void SolverPass::recordCoefficients(gpu::CommandList& commands, float openingAngle,
+                                    SceneTables& tables, Clusters& clusters, Solver& solver) const {
+  commands.beginPass("coefficients");
+  commands.bind(coefficients_.of(clusters.haveSeveralMedia),
+                {.objects = tables.objects,
+                 .media = tables.media,
+                 .tiles = clusters.tiles,
+                 .clusterTexels = clusters.clusters,
+                 .clusterNodes = clusters.nodes,
+                 .objectOfNode = clusters.objectOfNode,
+                 .lists = clusters.lists,
+                 .coefficients = solver.coefficients},
+                {.tileCount = clusters.tileCount,
+                 .openingAngle = openingAngle,
+                 .roomOfList = clusters.roomOfList,
+                 .roomOfCoefficients = solver.roomOfCoefficients});
+  commands.dispatchGroups(clusters.tileCount, roundsOfWalk);
+  commands.endPass();
 }
 
 void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
@@ -175,7 +211,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
        .entered = clusters.entered,
        .clusterPaints = tables.paint.clusters,
        .opaqueShares = tables.opaqueShares,
-       .objectOfNode = clusters.objectOfNode},
+       .objectOfNode = clusters.objectOfNode,
+       .coefficients = solver.coefficients},
       {.tileCount = clusters.tileCount,
        .clusterCount = clusters.count,
        .openingAngle = order.openingAngle,
@@ -185,7 +222,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
        .atSurface = atSurface,
        .nodeCount = clusters.tree.nodeCount,
        .densityGroups = densityGroups(clusters),
-       .roomOfList = clusters.roomOfList});
+       .roomOfList = clusters.roomOfList,
+       .roomOfCoefficients = solver.roomOfCoefficients});
   if (step > 0)
     commands.dispatchIndirect(solver.states,
                               inState(order, offsetof(shared::SolverState, groupsOfProduct)));

@@ -7,6 +7,7 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "passes/variants.h"
+#include "shaders/boundary/coefficients.comp.h"
 #include "shaders/boundary/densities.comp.h"
 #include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/further_bounces.comp.h"
@@ -36,6 +37,10 @@ class SolverPass {
     bool adds = false;           ///< to the exitance of light that entered before
     bool isDiffuse = false;      ///< some of the light is what clusters.entered tells
   };
+  /// The operator's coefficients, which all solutions take where the shape stays.
+  void recordCoefficients(gpu::CommandList& commands, float openingAngle, SceneTables& tables,
+                          Clusters& clusters, Solver& solver) const;
+
   /// From clusters.sources to clusters.latest and clusters.exitances.
   void record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
               Clusters& clusters, Solver& solver) const;
@@ -65,6 +70,7 @@ class SolverPass {
     return tables.paint.any ? painted_ : plain_;
   }
 
+  Variants<shaders::BoundaryCoefficients> coefficients_;  ///< of one medium, or several
   Pipelines plain_;
   Pipelines painted_;
   gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;

@@ -83,6 +83,9 @@ struct FrameContext {
                                   {mesh, resources.tables, resources.sky, scene.surfels, scene.rays,
                                    openingAngleOf(plan.tolerance), looksAround(plan)},
                                   scene.clusters);
+    if (solves(plan))
+      passes.solver.recordCoefficients(commands, openingAngleOf(plan.tolerance), resources.tables,
+                                       scene.clusters, scene.solver);
   }
 
   void gather(SceneResources& scene) const {

@@ -67,8 +67,12 @@ bool carriesOpaque(const FramePlan& plan) {
   return plan.opaque && plan.sum != Sum::Pattern && plan.scatter;
 }
 
+bool solves(const FramePlan& plan) {
+  return plan.transport == Transport::Boundary && plan.scatter;
+}
+
 bool usesClusters(const FramePlan& plan) {
-  return (plan.transport == Transport::Boundary && plan.scatter) || carriesOpaque(plan) ||
+  return solves(plan) || carriesOpaque(plan) ||
          (plan.occludesSky && (onSurfels(plan) || plan.ambientOcclusion));
 }
 

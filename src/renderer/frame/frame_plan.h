@@ -53,6 +53,9 @@ bool onSurfels(const FramePlan& plan);
 bool usesClusters(const FramePlan& plan);
 bool sendsRays(const FramePlan& plan);
 
+/// Whether light in bodies is found by the boundary's equation.
+bool solves(const FramePlan& plan);
+
 /// Whether opaque bodies take light from others and give it back.
 bool carriesOpaque(const FramePlan& plan);
 

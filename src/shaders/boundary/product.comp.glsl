@@ -17,9 +17,9 @@
 #define BINDING_OPAQUE_SHARES 16
 #define BINDING_NODE_OBJECTS 17
 #define CONSTANT_SEVERAL_MEDIA 2
+#include "lib/cluster_action.glsl"
 #include "lib/cluster_walk.glsl"
 #include "lib/texels.glsl"
-#include "lib/way_between.glsl"
 #define LININGS
 #include "lib/painted_cluster.glsl"
 #include "lib/tile_sum.glsl"
@@ -39,6 +39,7 @@ layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[
 layout(std430, set = 0, binding = 12) coherent buffer Sums { vec4 sums[]; };  // of each tile
 layout(std430, set = 0, binding = 13) buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 14) readonly buffer Entered { vec4 entered[]; };
+TEXELS(18, coefficients);
 
 layout(push_constant) uniform Push {
   uint tileCount;
@@ -51,6 +52,7 @@ layout(push_constant) uniform Push {
   uint nodeCount;
   uint densityGroups;  // of the dispatch before the next product
   uint roomOfList;
+  uint roomOfCoefficients;
 };
 
 #include "lib/solver_step.glsl"
@@ -61,89 +63,70 @@ const float leastShare = 0.05;
 shared vec3 tileProducts[maxClustersOfTile];
 shared vec3 innerTerms[maxSolverSteps + 1u][maxClustersOfTile];  // of inner products
 
-// A node, as every cluster of the tile needs it.
-struct ActingNode {
-  vec3 place;
-  bool leaf;
-  float radius;       // of all below it
-  float area;
-  vec3 second;        // from afar, how much more its single layer gives than from its middle
-  uint cluster;       // of a leaf
-  mat3 dipoles;       // a column for each channel
-  vec3 density;       // Σ a φ / 2AD
-  vec3 mean;          // φ where its areas cancel: of a sheet's two sides
-  Moment moment;
+// What a fluence is on a node.
+struct NodeDensity {
+  mat3 dipoles;  // a column for each channel
+  vec3 density;  // Σ a φ
 };
 
-vec3 weightS;  // 1 / 2AD
-
-ActingNode actingNode(uint at) {
-  vec4 centroidLink = centroidLinkOf(at);
-  vec4 spread = spreadOf(at);
-  uint link = floatBitsToUint(centroidLink.w);
-  int first = 3 * int((max(step, 1u) - 1u) * nodeCount + at);
+NodeDensity densityAt(uint node) {
+  int first = 3 * int((max(step, 1u) - 1u) * nodeCount + node);
   vec4 red = texelOf(densities, first);
   vec4 green = texelOf(densities, first + 1);
   vec4 blue = texelOf(densities, first + 2);
-  vec3 density = vec3(red.w, green.w, blue.w);
-  vec3 mean = isLeaf(link) ? vec3(0.0) : density / max(spread.w, 1e-30);
-  takeWayFrom(at);
-  vec3 second = 1.0 + way.sigma * way.sigma * (spread.y / 6.0);
-  return ActingNode(centroidLink.xyz, isLeaf(link), spread.x, spread.w, second, firstSurfelOf(link),
-                    mat3(red.xyz, green.xyz, blue.xyz), weightS * way.overDiffusion * density, mean, momentOf(at));
+  return NodeDensity(mat3(red.xyz, green.xyz, blue.xyz), vec3(red.w, green.w, blue.w));
 }
 
-// From a single layer as from its middle, and from a double one of that dipole.
-vec3 actionOf(ActingNode node, vec4 target) {
-  vec3 sigma = way.sigma;
-  vec3 offset = node.place - target.xyz;
-  float squared = dot(offset, offset);
-  if (squared <= leastSquaredMm2) return vec3(0.0);
-  float over = inversesqrt(squared);
-  float over2 = over * over;
-  vec3 x = sigma * (squared * over);
-  vec3 e = exp(-x) * over2 * over;
-  float smoothed = squared + smoothingOf(target.w, node.leaf ? node.area : 0.0);
-  float overAway = inversesqrt(smoothed);
-  vec3 single = exp(-sigma * (smoothed * overAway)) * overAway * node.density;
-  vec3 along = (1.0 + x) * (offset * node.dipoles);
-  if (node.leaf) {
-    // An expansion about the middle, for places outside alone.
-    if (isFar(squared, node.radius, leastSigma, openingAngle)) single *= node.second;
-    return single - e * (coverageOfDisc(squared, node.area) * along);
+vec3 sumOfActions[maxClustersOfTile];
+
+// As boundary/coefficients.comp.glsl has left them.
+void addKept(uint k, uint node) {
+  NodeDensity there = densityAt(node);
+  vec3 place = centroidLinkOf(node).xyz;
+  int first = int((tileIndex * roomOfCoefficients + k) * texelsOfActions);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; t += 4u) {
+    vec4 texels[3];
+    [[unroll]] for (int i = 0; i < 3; ++i) texels[i] = texelOf(coefficients, first + 3 * int(t / 4u) + i);
+    [[unroll]] for (uint u = 0u; u < 4u; ++u) {
+      vec2 one = unpacked(texels[3u * u / 4u][3u * u % 4u]);
+      vec2 two = unpacked(texels[(3u * u + 1u) / 4u][(3u * u + 1u) % 4u]);
+      vec2 three = unpacked(texels[(3u * u + 2u) / 4u][(3u * u + 2u) % 4u]);
+      Action action = Action(vec3(one, two.x), vec3(two.y, three));
+      sumOfActions[t + u] += actionOf(action, place - targets[t + u].xyz, there.dipoles, there.density);
+    }
   }
-  // Both sides of a sheet, whose areas cancel, by the moment.
-  vec3 sheet = (3.0 + x * (3.0 + x)) * (over2 * alongTwice(node.moment, offset)) -
-               (1.0 + x) * traceOf(node.moment);
-  return single * node.second + e * (node.mean * sheet - along);
 }
 
-// What acts on each cluster of the tile, for sumOfTile().
+void add(uint at, vec3 weightS) {
+  ActingNode node = actingNode(at);
+  NodeDensity there = densityAt(at);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    bool itself = node.leaf && node.cluster == tile.firstCluster + t;
+    if (!itself)
+      sumOfActions[t] += actionOf(actionOn(targets[t], node, weightS, openingAngle), node.place - targets[t].xyz,
+                                  there.dipoles, there.density);
+  }
+}
+
+// What acts on each cluster of the tile, for sumOfTile(). The coefficients of a list's first nodes are kept; those
+// of step 0 are others.
 void sumActions() {
-  weightS = step > 0u ? singleLayerWeight(medium) : vec3(0.0);
+  vec3 weightS = step > 0u ? singleLayerWeight(medium) : vec3(0.0);
   takeWayOfTile();
-  vec3 sums[maxClustersOfTile];
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sums[t] = vec3(0.0);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sumOfActions[t] = vec3(0.0);
   uint list = tileIndex * roomOfList;
   uint count = lists[list];
-  bool listed = count < roomOfList;
-  uint next = listed ? gl_LocalInvocationIndex : body.clusters.x;
-  while (true) {
-    uint at = noNode;
-    if (!listed) {
-      at = nextOnWalk(next, openingAngle);
-    } else if (next < count) {
-      at = lists[list + 1u + next];
-      next += invocationsOfTile;
-    }
-    if (at == noNode) break;
-    ActingNode node = actingNode(at);
-    [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-      bool itself = node.leaf && node.cluster == tile.firstCluster + t;
-      if (!itself) sums[t] += actionOf(node, targets[t]);
-    }
+  if (count < roomOfList) {
+    uint kept = step > 0u ? min(count, roomOfCoefficients) : 0u;
+    uint k = gl_LocalInvocationIndex;
+    for (; k < kept; k += invocationsOfTile) addKept(k, lists[list + 1u + k]);
+    for (; k < count; k += invocationsOfTile) add(lists[list + 1u + k], weightS);
+  } else {
+    uint next = body.clusters.x;
+    for (uint at = nextOnWalk(next, openingAngle); at != noNode; at = nextOnWalk(next, openingAngle))
+      add(at, weightS);
   }
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, sums[t]);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, sumOfActions[t]);
 }
 
 // Of all that act on a cluster, and of itself.

@@ -78,6 +78,10 @@ struct Cluster {
 /// Clusters of one body that follow each other: the same nodes act on all of them, so that what is
 /// known of a node is used for each.
 OPALINE_BOUNDARY_CONSTANT maxClustersOfTile = 8u;
+
+/// What a node does to each of them, see lib/cluster_action.glsl: two numbers a channel of two
+/// bytes each, in texels of four floats.
+OPALINE_BOUNDARY_CONSTANT texelsOfActions = 3u * maxClustersOfTile / 4u;
 struct ClusterTile {
   uint firstCluster;
   uint endCluster;

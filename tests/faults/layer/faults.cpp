@@ -156,6 +156,7 @@ PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
 PFN_vkDestroyInstance nextDestroyInstance = nullptr;  // asked for early: later the loader answers
 PFN_vkDestroyDevice nextDestroyDevice = nullptr;      // with the first of all layers
 PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
+PFN_vkGetPhysicalDeviceProperties2 nextGetProperties2 = nullptr;
 std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the last
 
 void waitForDevice() {
@@ -334,6 +335,8 @@ VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info,
       reinterpret_cast<PFN_vkDestroyInstance>(nextOfInstance(*instance, "vkDestroyInstance"));
   nextGetProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
       nextOfInstance(*instance, "vkGetPhysicalDeviceProperties"));
+  nextGetProperties2 = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(
+      nextOfInstance(*instance, "vkGetPhysicalDeviceProperties2"));
   find([&](const char* name) { return nextOfInstance(*instance, name); });
   return result;
 }
@@ -389,11 +392,23 @@ VKAPI_ATTR VkResult VKAPI_CALL listExtensions(VkPhysicalDevice physical, const c
 }
 
 bool claimsHardware = false;
+std::uint32_t claimedTexels = 0;
+
+void claim(VkPhysicalDeviceProperties& properties) {
+  if (claimsHardware) properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+  if (claimedTexels > 0) properties.limits.maxTexelBufferElements = claimedTexels;
+}
 
 VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice physical,
                                          VkPhysicalDeviceProperties* properties) {
   nextGetProperties(physical, properties);
-  if (claimsHardware) properties->deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+  claim(*properties);
+}
+
+VKAPI_ATTR void VKAPI_CALL getProperties2(VkPhysicalDevice physical,
+                                          VkPhysicalDeviceProperties2* properties) {
+  nextGetProperties2(physical, properties);
+  claim(properties->properties);
 }
 
 }  // namespace
@@ -433,6 +448,7 @@ PFN_vkVoidFunction ours(std::string_view name) {
   if (name == "vkDestroyDevice") return as(destroyDevice);
   if (name == "vkEnumerateDeviceExtensionProperties") return as(listExtensions);
   if (name == "vkGetPhysicalDeviceProperties") return as(getProperties);
+  if (name == "vkGetPhysicalDeviceProperties2") return as(getProperties2);
   if (name == "vkGetInstanceProcAddr") return as(opalineGetInstanceProcAddr);
   if (name == "vkGetDeviceProcAddr") return as(opalineGetDeviceProcAddr);
   for (const Entry& entry : entries)
@@ -456,6 +472,10 @@ OPALINE_EXPORT void opalineHideExtension(const char* extension) {
 
 OPALINE_EXPORT void opalineClaimHardware(bool claims) {
   claimsHardware = claims;
+}
+
+OPALINE_EXPORT void opalineClaimTexels(std::uint32_t most) {
+  claimedTexels = most;
 }
 
 OPALINE_EXPORT std::uint64_t opalineCallsSinceArmed() {

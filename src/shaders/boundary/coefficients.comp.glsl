@@ -1,0 +1,49 @@
+// The coefficients of the operator of the boundary's equation, of which every step of the solver takes a product:
+// of each node of a tile's list and each of the tile's clusters. See boundary/product.comp.glsl.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_KHR_shader_subgroup_basic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_TILES 2
+#define BINDING_CLUSTER_NODES 4
+#define BINDING_NODE_OBJECTS 5
+#define CONSTANT_SEVERAL_MEDIA 0
+#include "lib/cluster_action.glsl"
+
+layout(std430, set = 0, binding = 6) readonly buffer Lists { uint lists[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer Coefficients { vec4 coefficients[]; };
+
+layout(push_constant) uniform Push {
+  uint tileCount;
+  float openingAngle;
+  uint roomOfList;
+  uint roomOfCoefficients;  // of nodes
+};
+
+void put(uint first, ActingNode node) {
+  vec3 weightS = singleLayerWeight(medium);
+  float numbers[4u * texelsOfActions];
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    bool itself = node.leaf && node.cluster == tile.firstCluster + t;
+    Action action = noAction();
+    if (!itself) action = actionOn(targets[t], node, weightS, openingAngle);
+    numbers[3u * t] = packed(action.ofDensity.r, action.ofDensity.g);
+    numbers[3u * t + 1u] = packed(action.ofDensity.b, action.ofDipole.r);
+    numbers[3u * t + 2u] = packed(action.ofDipole.g, action.ofDipole.b);
+  }
+  [[unroll]] for (uint i = 0u; i < texelsOfActions; ++i)
+    coefficients[first + i] = vec4(numbers[4u * i], numbers[4u * i + 1u], numbers[4u * i + 2u], numbers[4u * i + 3u]);
+}
+
+void main() {
+  if (!enterTile(tileCount)) return;
+  takeWayOfTile();
+  uint list = tileIndex * roomOfList;
+  uint count = lists[list];
+  if (count >= roomOfList) return;  // there is no list
+  uint kept = min(count, roomOfCoefficients);
+  for (uint k = gl_LocalInvocationIndex; k < kept; k += invocationsOfTile)
+    put((tileIndex * roomOfCoefficients + k) * texelsOfActions, actingNode(lists[list + 1u + k]));
+}

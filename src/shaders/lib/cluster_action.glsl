@@ -1,0 +1,82 @@
+// What a node of the tree of clusters does to the fluence at a cluster by the operator of the boundary's
+// equation, and how two of its coefficients are kept in the bits of a float. Needs, before it,
+// BINDING_CLUSTER_NODES, what lib/cluster_tile.glsl needs, and what lib/way_between.glsl needs.
+#ifndef OPALINE_LIB_CLUSTER_ACTION
+#define OPALINE_LIB_CLUSTER_ACTION
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_tile.glsl"
+#include "lib/way_between.glsl"
+
+// A node, as every cluster of the tile needs it.
+struct ActingNode {
+  vec3 place;
+  bool leaf;
+  float radius;   // of all below it
+  float area;
+  vec3 second;    // from afar, how much more its single layer gives than from its middle
+  uint cluster;   // of a leaf
+  Moment moment;
+};
+
+// Also takes the way from there.
+ActingNode actingNode(uint at) {
+  vec4 centroidLink = centroidLinkOf(at);
+  vec4 spread = spreadOf(at);
+  uint link = floatBitsToUint(centroidLink.w);
+  takeWayFrom(at);
+  return ActingNode(centroidLink.xyz, isLeaf(link), spread.x, spread.w,
+                    1.0 + way.sigma * way.sigma * (spread.y / 6.0), firstSurfelOf(link), momentOf(at));
+}
+
+// What comes of a node's densities, for each channel.
+struct Action {
+  vec3 ofDensity;  // times Σ a φ
+  vec3 ofDipole;   // times the dipole along the way there, and taken off
+};
+
+Action noAction() {
+  return Action(vec3(0.0), vec3(0.0));
+}
+
+// From a single layer of that weight as from its middle, and from a double one of the node's dipole.
+Action actionOn(vec4 target, ActingNode node, vec3 weightS, float openingAngle) {
+  vec3 sigma = way.sigma;
+  vec3 offset = node.place - target.xyz;
+  float squared = dot(offset, offset);
+  if (squared <= leastSquaredMm2) return noAction();
+  float over = inversesqrt(squared);
+  float over2 = over * over;
+  vec3 x = sigma * (squared * over);
+  vec3 e = exp(-x) * over2 * over;
+  float smoothed = squared + smoothingOf(target.w, node.leaf ? node.area : 0.0);
+  float overAway = inversesqrt(smoothed);
+  vec3 single = exp(-sigma * (smoothed * overAway)) * overAway * weightS * way.overDiffusion;
+  vec3 along = e * (1.0 + x);
+  if (node.leaf) {
+    // An expansion about the middle, for places outside alone.
+    if (isFar(squared, node.radius, leastSigma, openingAngle)) single *= node.second;
+    return Action(single, coverageOfDisc(squared, node.area) * along);
+  }
+  // Both sides of a sheet, whose areas cancel, by the moment.
+  vec3 sheet = (3.0 + x * (3.0 + x)) * (over2 * alongTwice(node.moment, offset)) -
+               (1.0 + x) * traceOf(node.moment);
+  return Action(single * node.second + e * sheet / max(node.area, 1e-30), along);
+}
+
+// Of the densities on a node, a column for each channel, and Σ a φ.
+vec3 actionOf(Action action, vec3 offset, mat3 dipoles, vec3 density) {
+  return action.ofDensity * density - action.ofDipole * (offset * dipoles);
+}
+
+// With eight bits after the first: a coefficient is right within 0.2 %.
+float packed(float low, float high) {
+  uvec2 rounded = floatBitsToUint(vec2(low, high)) + 0x8000u;
+  return uintBitsToFloat(rounded.x >> 16u | (rounded.y & 0xffff0000u));
+}
+
+vec2 unpacked(float both) {
+  uint bits = floatBitsToUint(both);
+  return uintBitsToFloat(uvec2(bits << 16u, bits & 0xffff0000u));
+}
+
+#endif
