@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Shows hostile files to the program: `info`, a picture, and a picture by the paper's method, which makes an atlas. Each
 run has to end in one sentence and status 1, or in a picture whose values are numbers, none of them negative, within
-5 seconds of one core and 1 GB of memory. `make hostile` runs it; the last line counts, and findings make the status."""
+1 GB of memory and 5 seconds of one core, where a picture of the built-in bear takes 2: on a slower machine, 2.5 times as
+long as that. `make hostile` runs it; the last line counts, and findings make the status."""
 
 import argparse
 import collections
@@ -20,6 +21,7 @@ import images
 from repository import ROOT, models_folder
 
 SECONDS = 5
+SECONDS_OF_BEAR = 2
 MEGABYTES = 1000
 TRIES = 3  # where one takes longer: the machine may have much else to do
 LONGEST_SECONDS = 60  # of one core, and ten times that by the clock
@@ -52,9 +54,9 @@ class Run:
             self.out = out.read().decode(errors="replace")
             self.err = err.read().decode(errors="replace")
 
-    def faults(self, output):
+    def faults(self, output, most_seconds):
         """What a run must not do, whatever the file is."""
-        if self.seconds > SECONDS:
+        if self.seconds > most_seconds:
             yield f"took {self.seconds:.1f} s of one core"
         if self.megabytes > MEGABYTES:
             yield f"took {self.megabytes:.0f} MB"
@@ -90,7 +92,7 @@ def commands(hostile):
     return [(("info", path), False), (("render", path, *BOUNDARY), True), (("render", path, *PAPER), True)]
 
 
-def judged(program, hostile, folder):
+def judged(program, hostile, folder, most_seconds):
     """Its runs, and what is wrong with them. The paper's method may refuse sound files: it shows less."""
     output = folder / f"picture-{threading.get_ident()}.exr"
     runs, faults = [], []
@@ -99,10 +101,10 @@ def judged(program, hostile, folder):
         outputs = ("-o", str(output)) if pictured else ()
         for _ in range(TRIES):
             run = Run(program, (*arguments, *outputs), folder)
-            if run.seconds <= SECONDS:
+            if run.seconds <= most_seconds:
                 break
         runs.append(run)
-        faults += [f"{' '.join(map(str, arguments))}: {fault}" for fault in run.faults(output if pictured else None)]
+        faults += [f"{' '.join(map(str, arguments))}: {fault}" for fault in run.faults(output if pictured else None, most_seconds)]
         shown = run.status == 0
         if "paper" not in arguments and hostile.must and shown != (hostile.must == "read"):
             faults.append(f"{' '.join(map(str, arguments))}: has to be {hostile.must}: {run.err.strip()}")
@@ -143,8 +145,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         ordinary = ordinary_seconds(arguments.program.resolve(), folder)
+        most_seconds = SECONDS * max(ordinary / SECONDS_OF_BEAR, 1)
         for hostile in hostile_files.write_all(folder, arguments.models, arguments.copies)[::arguments.every]:
-            runs, faults = judged(arguments.program.resolve(), hostile, folder)
+            runs, faults = judged(arguments.program.resolve(), hostile, folder, most_seconds)
             results.append((hostile, runs, faults))
             for fault in faults:
                 print(fault, file=sys.stderr, flush=True)
@@ -152,7 +155,7 @@ def main():
                 arguments.keep.mkdir(parents=True, exist_ok=True)
                 shutil.copy(hostile.path, arguments.keep)
     print_table(results)
-    print(f"a picture of the built-in bear took {ordinary:.1f} s of one core")
+    print(f"a picture of the built-in bear took {ordinary:.1f} s of one core, so that {most_seconds:.1f} s are the limit")
     findings = sum(len(faults) for _, _, faults in results)
     print(f"{len(results)} files, {sum(len(runs) for _, runs, _ in results)} runs, {findings} findings, "
           f"{time.monotonic() - begin:.0f} s")

@@ -3,153 +3,16 @@
 #include <vulkan/vk_layer.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <initializer_list>
-#include <mutex>
 #include <string>
 #include <string_view>
 
+#include "state.h"
+
 namespace {
 
-/// What Vulkan 1.3 lets a function return, with what drivers are known to return beside it.
-enum Failures : unsigned {
-  ofMemory = 1,
-  ofDevice = 2,
-  ofInitialization = 4,
-  ofMapping = 8,
-  ofTime = 16,
-  ofSurface = 32,
-  ofAge = 64,
-};
-
-unsigned kindOf(VkResult result) {
-  switch (result) {
-    case VK_ERROR_OUT_OF_HOST_MEMORY:
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-      return ofMemory;
-    case VK_ERROR_DEVICE_LOST:
-      return ofDevice;
-    case VK_ERROR_INITIALIZATION_FAILED:
-      return ofInitialization;
-    case VK_ERROR_MEMORY_MAP_FAILED:
-      return ofMapping;
-    case VK_TIMEOUT:
-      return ofTime;
-    case VK_ERROR_SURFACE_LOST_KHR:
-      return ofSurface;
-    case VK_ERROR_OUT_OF_DATE_KHR:
-      return ofAge;
-    default:
-      return 0;
-  }
-}
-
-struct Call {
-  const char* name;
-  unsigned failures;
-  PFN_vkVoidFunction next = nullptr;
-  const char* makes = nullptr;  ///< kind of object
-  std::atomic<std::int64_t>* living = nullptr;
-};
-
-class State {
- public:
-  State() {
-    const char* order = std::getenv("OPALINE_FAULT");
-    if (order == nullptr) return;
-    int result = 0;
-    unsigned long long nth = 0;
-    std::array<char, 64> function{};
-    if (std::sscanf(order, "%d:%llu:%63s", &result, &nth, function.data()) < 2) std::abort();
-    arm(static_cast<VkResult>(result), nth, function.front() == 0 ? nullptr : function.data());
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    const char* file = std::getenv("OPALINE_FAULT_REPORT");
-    std::FILE* report = file == nullptr ? nullptr : std::fopen(file, "a");
-    if (report == nullptr) return;
-    std::fprintf(report, "%s %llu calls, left: %s\n", faulted_ == nullptr ? "none" : faulted_,
-                 static_cast<unsigned long long>(calls_), describe().c_str());
-    std::fclose(report);
-  }
-
-  void arm(VkResult result, std::uint64_t nth, const char* function) {
-    const std::lock_guard lock(mutex_);
-    result_ = result;
-    kind_ = kindOf(result);
-    nth_ = nth;
-    function_ = function == nullptr ? "" : function;
-    calls_ = 0;
-    faulted_ = nullptr;
-  }
-
-  /// Counts a call and says whether it is to fail. `lose` is called before the device is lost.
-  template <typename Lose>
-  bool fails(const Call& call, const Lose& lose) {
-    const std::lock_guard lock(mutex_);
-    if ((call.failures & kind_) == 0) return false;
-    if (!function_.empty() && function_ != call.name) return false;
-    ++calls_;
-    if (nth_ == 0 || calls_ < nth_) return false;
-    if (calls_ > nth_) return result_ == VK_ERROR_DEVICE_LOST;
-    faulted_ = call.name;
-    // What the device still does must not outlive what it uses.
-    if (result_ == VK_ERROR_DEVICE_LOST) lose();
-    return true;
-  }
-
-  VkResult result() const { return result_; }
-  std::uint64_t calls() const { return calls_; }
-  const char* faulted() const { return faulted_; }
-
-  std::atomic<std::int64_t>& living(const char* kind) {
-    const std::lock_guard lock(mutex_);
-    for (Kind& known : kinds_) {
-      if (known.name == nullptr) known.name = kind;
-      if (std::strcmp(known.name, kind) == 0) return known.living;
-    }
-    std::abort();
-  }
-  std::int64_t living() const {
-    std::int64_t sum = 0;
-    for (const Kind& kind : kinds_) sum += kind.living;
-    return sum;
-  }
-  std::string describe() const {
-    std::string text;
-    for (const Kind& kind : kinds_) {
-      if (kind.living == 0) continue;
-      if (!text.empty()) text += ", ";
-      text += std::to_string(kind.living) + " " + kind.name;
-    }
-    return text.empty() ? "nothing" : text;
-  }
-
- private:
-  struct Kind {
-    const char* name = nullptr;
-    std::atomic<std::int64_t> living = 0;
-  };
-
-  std::mutex mutex_;
-  VkResult result_ = VK_SUCCESS;
-  unsigned kind_ = 0;
-  std::uint64_t nth_ = 0;
-  std::string function_;
-  std::uint64_t calls_ = 0;
-  const char* faulted_ = nullptr;
-  std::array<Kind, 32> kinds_;
-};
-
-State& state() {
-  static State all;
-  return all;
-}
+using namespace opaline::faults;
 
 PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;

@@ -22,6 +22,10 @@ std::uint64_t opalineCallsSinceArmed();
 void opalineHideFunction(const char* function);
 /// Devices do not list that extension; null: they list all they have again.
 void opalineHideExtension(const char* extension);
+/// Software devices say that they are hardware.
+void opalineClaimHardware(bool claims);
+/// Devices say that a buffer has no more texels; 0: as many as it has.
+void opalineClaimTexels(std::uint32_t most);
 /// The function that failed; null if none has.
 const char* opalineFaultedFunction();
 /// Objects that have been created and not destroyed, memory and devices among them.

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace opaline::faults {
+
+/// What Vulkan 1.3 lets a function return, with what drivers are known to return beside it.
+enum Failures : unsigned {
+  ofMemory = 1,
+  ofDevice = 2,
+  ofInitialization = 4,
+  ofMapping = 8,
+  ofTime = 16,
+  ofSurface = 32,
+  ofAge = 64,
+};
+
+struct Call {
+  const char* name;
+  unsigned failures;
+  PFN_vkVoidFunction next = nullptr;
+  const char* makes = nullptr;  ///< kind of object
+  std::atomic<std::int64_t>* living = nullptr;
+};
+
+/// Which call is to fail, and what has been created and not destroyed.
+class State {
+ public:
+  State();
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State();
+
+  void arm(VkResult result, std::uint64_t nth, const char* function);
+
+  /// Counts a call and says whether it is to fail. `lose` is called before the device is lost.
+  template <typename Lose>
+  bool fails(const Call& call, const Lose& lose) {
+    const std::lock_guard lock(mutex_);
+    if ((call.failures & kind_) == 0) return false;
+    if (!function_.empty() && function_ != call.name) return false;
+    ++calls_;
+    if (nth_ == 0 || calls_ < nth_) return false;
+    if (calls_ > nth_) return result_ == VK_ERROR_DEVICE_LOST;
+    faulted_ = call.name;
+    // What the device still does must not outlive what it uses.
+    if (result_ == VK_ERROR_DEVICE_LOST) lose();
+    return true;
+  }
+
+  VkResult result() const { return result_; }
+  std::uint64_t calls() const { return calls_; }
+  const char* faulted() const { return faulted_; }
+
+  /// Objects of that kind.
+  std::atomic<std::int64_t>& living(const char* kind);
+  std::int64_t living() const;
+  /// Their kinds, with counts.
+  std::string describe() const;
+
+ private:
+  struct Kind {
+    const char* name = nullptr;
+    std::atomic<std::int64_t> living = 0;
+  };
+
+  std::mutex mutex_;
+  VkResult result_ = VK_SUCCESS;
+  unsigned kind_ = 0;
+  std::uint64_t nth_ = 0;
+  std::string function_;
+  std::uint64_t calls_ = 0;
+  const char* faulted_ = nullptr;
+  std::array<Kind, 32> kinds_;
+};
+
+/// Of the process; as its environment says, before anybody else has armed it.
+State& state();
+
+}  // namespace opaline::faults
