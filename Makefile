@@ -28,7 +28,7 @@ help:
 	@echo 'make contact-sheet  every model and ten awkward bodies, of every medium and three sizes, to look at: hours'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
-	@echo 'make tsan      run what has threads, files, the atlas, films and division in the background, with the thread sanitizer'
+	@echo 'make tsan      run what has threads, files, the atlas, films, division, loading and truths in the background, with the thread sanitizer'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
 	@echo 'make hostile   600 wrong, awkward and damaged files, in a table: sentences, pictures, time, memory'
 	@echo 'make faults    every Vulkan call and allocation of a scene and of a frame fails once: an hour; STRIDE=10 tries every tenth'
@@ -121,9 +121,11 @@ asan: dependencies
 
 tsan: dependencies
 	cmake --preset tsan $(LAUNCHER)
-	cmake --build --preset tsan --target test_core test_atlas test_threads
+	cmake --build --preset tsan --target test_core test_atlas test_threads test_jobs
 	build/tsan/bin/test_core
 	build/tsan/bin/test_threads
+	TSAN_OPTIONS=suppressions=$(CURDIR)/tools/tsan.supp build/tsan/bin/test_jobs \
+	  --gtest_filter=-TruthJob.Integral*:TruthJob.Particles*:TruthJob.Without*:TruthJob.Takes*:TruthJob.Shows*
 	build/tsan/bin/test_atlas --gtest_filter=Atlas.IsTheSameEveryTime:Atlas.FlatSheet*:Atlas.Gutter*
 
 fuzz: dependencies

@@ -1,11 +1,14 @@
 #include "film/film.h"
 
+#include <utility>
+
 #include "cli/frame_names.h"
 #include "cli/progress.h"
 #include "film/film_encoder.h"
 #include "film/film_job.h"
 #include "film/film_output.h"
 #include "film/picture_stamp.h"
+#include "film/sequence_frames.h"
 #include "opaline/file.h"
 #include "opaline/image_file.h"
 
@@ -63,6 +66,16 @@ FilmMade renderFilm(Renderer& renderer, const FilmOrder& order) {
     bar.show(progress.written + progress.skipped, progress.skipped);
   });
   return {order.frames.count() - job.progress().skipped, job.report()};
+}
+
+std::function<void(Renderer& renderer, int frame)> placeBySequence(
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
+    std::shared_ptr<KeptPositions> kept) {
+  const auto positions = std::make_shared<PositionsAhead>(
+      positionsOf(sequence, numberOfFrame(*sequence, frames.last), frames.step, std::move(kept)));
+  return [positions, of = std::move(sequence)](Renderer& renderer, int frame) {
+    renderer.replacePositions(0, positions->of(numberOfFrame(*of, frame)));
+  };
 }
 
 }  // namespace opaline::app

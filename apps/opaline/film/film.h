@@ -3,12 +3,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/motion_options.h"
+#include "film/kept_positions.h"
 #include "opaline/file.h"
 #include "opaline/renderer.h"
+#include "opaline/sequence.h"
 #include "opaline/tone.h"
 
 namespace opaline::app {
@@ -57,5 +60,11 @@ struct FilmMade {
 /// Renders the missing frames, of which there is one at least, each while those before are still
 /// being written.
 FilmMade renderFilm(Renderer& renderer, const FilmOrder& order);
+
+/// For FilmOrder::place: puts the body where the frame's file has it. What is kept already is not
+/// read again. Throws as numberOfFrame().
+std::function<void(Renderer& renderer, int frame)> placeBySequence(
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
+    std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());
 
 }  // namespace opaline::app

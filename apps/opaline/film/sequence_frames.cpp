@@ -59,14 +59,4 @@ PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int las
           }};
 }
 
-std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
-    std::shared_ptr<KeptPositions> kept) {
-  const auto positions = std::make_shared<PositionsAhead>(
-      positionsOf(sequence, numberOfFrame(*sequence, frames.last), frames.step, std::move(kept)));
-  return [positions, of = std::move(sequence)](Renderer& renderer, int frame) {
-    renderer.replacePositions(0, positions->of(numberOfFrame(*of, frame)));
-  };
-}
-
 }  // namespace opaline::app

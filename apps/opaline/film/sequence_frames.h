@@ -1,12 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 
 #include "cli/motion_options.h"
 #include "film/kept_positions.h"
 #include "film/positions_ahead.h"
-#include "opaline/renderer.h"
 #include "opaline/sequence.h"
 
 namespace opaline::app {
@@ -30,11 +28,5 @@ double secondsOf(const MeshSequence& sequence);
 PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber,
                            int step = 1,
                            std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());
-
-/// For FilmOrder::place: puts the body where the frame's file has it. What is kept already is not
-/// read again. Throws as numberOfFrame().
-std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
-    std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());
 
 }  // namespace opaline::app

@@ -7,6 +7,7 @@
 
 #include "cli/paths.h"
 #include "cli/picture_options.h"
+#include "film/film.h"
 #include "film/sequence_frames.h"
 #include "opaline/scene_file.h"
 
