@@ -111,7 +111,7 @@ class Inputs(ProgramTest):
 class SeveralScenes(ProgramTest):
     def test_they_are_one_scene(self):
         self.write("a.obj", CUBE_OBJ)
-        self.write("b.obj", CUBE_OBJ)
+        self.write("b.obj", CUBE_OBJ.replace("v 1 ", "v 2 ").replace("v 0 ", "v 1 "))  # beside it
         facts = self.succeed("info", "a.obj", "b.obj", "--diagonal-mm", 30, "--json").json()
         self.assertEqual(facts["components"], 2)
         self.assertEqual(len(facts["objects"]), 2)
@@ -119,7 +119,7 @@ class SeveralScenes(ProgramTest):
         self.assertAlmostEqual(sum(x * x for x in size), 900, delta=1e-2)
         self.write("c.toml", "[[models]]\nfile = 'a.obj'\n[[models]]\nfile = 'b.obj'\ntranslation_mm = [80, 0, 0]\n")
         facts = self.succeed("info", "c.toml", "--json").json()
-        self.assertAlmostEqual(facts["bounds_max_mm"][0], 80 + 50 / 3 ** .5, delta=1e-3)
+        self.assertAlmostEqual(facts["bounds_max_mm"][0], 80 + 2 * 50 / 3 ** .5, delta=1e-3)
         self.refused(2, "info", "a.obj", "c.toml", says=("c.toml", "[[models]]"))
         self.refused(2, "info", "a.obj", "b.obj", "--morph-to", "a.obj", says="--morph-to")
         self.refused(2, "compare", "a.png", "b.png", "c.png", says="one too many")
