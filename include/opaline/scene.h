@@ -42,6 +42,8 @@ struct Object {
   std::optional<Rig> rig;                     ///< none: only the scene's deformers move it
   std::optional<OpaqueMaterial> opaque;  ///< if set, light does not enter and `medium` is not used
   bool isGround = false;  ///< stands still, casts no shadow of its own, and counts for no size
+  std::vector<std::string> duplicates;  ///< names of objects that a loader left out: they were this
+                                        ///< one again
 };
 
 /// What an object is made of.

@@ -271,7 +271,8 @@ struct Clusters {
 
 /// What the solver of boundary transport works with.
 struct Solver {
-  gpu::Buffer coefficients;              ///< shared::texelsOfActions a node of a tile's list
+  gpu::Buffer coefficients;  ///< none before a frame solves; shared::texelsOfActions a node of a
+                             ///< tile's list
   std::uint32_t roomOfCoefficients = 0;  ///< of nodes a tile; those of the others are not kept
   gpu::Buffer densities;                 ///< shared::DensityNode
   gpu::Buffer products;                  ///< vec4 a cluster

@@ -73,7 +73,7 @@ void addMaterial(Digest& digest, const OpaqueMaterial& material) {
 }
 
 void addObject(Digest& digest, const Object& object) {
-  const auto& [name, mesh, medium, paint, surface, rig, opaque, isGround] = object;
+  const auto& [name, mesh, medium, paint, surface, rig, opaque, isGround, duplicates] = object;
   const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta, g] = medium;
   addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta, g,

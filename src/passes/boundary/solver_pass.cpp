@@ -63,10 +63,6 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
   const std::size_t nodes = std::size_t{clusters.tree.nodeCount} * shared::maxSolverSteps;
   const std::size_t count = clusters.count;
   Solver solver;
-  solver.roomOfCoefficients = roomOfCoefficients(device, clusters);
-  solver.coefficients = makeRoom<shared::vec4>(
-      device, "coefficients of the solver",
-      std::size_t{clusters.tileCount} * solver.roomOfCoefficients * shared::texelsOfActions);
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
   solver.products = makeRoom<shared::vec4>(device, "products", count);
   solver.basis =
@@ -79,6 +75,13 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                       std::vector<shared::SolverState>(solutions, shared::SolverState{}),
                       roomUsage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
   return solver;
+}
+
+void SolverPass::makeCoefficients(gpu::Device& device, const Clusters& clusters, Solver& solver) {
+  solver.roomOfCoefficients = roomOfCoefficients(device, clusters);
+  const std::size_t nodes = std::size_t{clusters.tileCount} * solver.roomOfCoefficients;
+  solver.coefficients =
+      makeRoom<shared::vec4>(device, "coefficients of the solver", nodes * shared::texelsOfActions);
 }
 
 void SolverPass::recordCoefficients(gpu::CommandList& commands, float openingAngle,
@@ -223,7 +226,7 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
        .nodeCount = clusters.tree.nodeCount,
        .densityGroups = densityGroups(clusters),
        .roomOfList = clusters.roomOfList,
-       .roomOfCoefficients = solver.roomOfCoefficients});
+       .roomOfCoefficients = order.keepsCoefficients ? solver.roomOfCoefficients : 0});
   if (step > 0)
     commands.dispatchIndirect(solver.states,
                               inState(order, offsetof(shared::SolverState, groupsOfProduct)));

@@ -29,15 +29,20 @@ class SolverPass {
   /// For set-up, not for frames.
   static Solver makeSolver(gpu::Device& device, const Clusters& clusters, std::uint32_t solutions);
 
+  /// Room for the operator's coefficients. For set-up too.
+  static void makeCoefficients(gpu::Device& device, const Clusters& clusters, Solver& solver);
+
   struct Order {
-    std::uint32_t solution = 0;  ///< which of the solver's states tells how it went
-    std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
-    float openingAngle;          ///< of nodes: taken from further than their radius over this
-    float tolerance = 0.01F;     ///< of the residual, relative to the sources
-    bool adds = false;           ///< to the exitance of light that entered before
-    bool isDiffuse = false;      ///< some of the light is what clusters.entered tells
+    std::uint32_t solution = 0;      ///< which of the solver's states tells how it went
+    std::uint32_t steps = 8;         ///< at most, up to shared::maxSolverSteps
+    float openingAngle;              ///< of nodes: taken from further than their radius over this
+    float tolerance = 0.01F;         ///< of the residual, relative to the sources
+    bool adds = false;               ///< to the exitance of light that entered before
+    bool isDiffuse = false;          ///< some of the light is what clusters.entered tells
+    bool keepsCoefficients = false;  ///< recordCoefficients() has been there for this shape
   };
-  /// The operator's coefficients, which all solutions take where the shape stays.
+  /// The operator's coefficients, for all solutions until the shape changes. After
+  /// ClusterPass::recordShape().
   void recordCoefficients(gpu::CommandList& commands, float openingAngle, SceneTables& tables,
                           Clusters& clusters, Solver& solver) const;
 

@@ -83,7 +83,7 @@ struct FrameContext {
                                   {mesh, resources.tables, resources.sky, scene.surfels, scene.rays,
                                    openingAngleOf(plan.tolerance), looksAround(plan)},
                                   scene.clusters);
-    if (solves(plan))
+    if (solves(plan) && keepsCoefficients(scene))
       passes.solver.recordCoefficients(commands, openingAngleOf(plan.tolerance), resources.tables,
                                        scene.clusters, scene.solver);
   }
@@ -157,6 +157,13 @@ struct FrameContext {
       passes.opaque.overClusters(commands, ofOpaque(), from, plan.bounces, scene.clusters);
   }
 
+  // Kept ones are rounded, which moves a picture by up to 3e-4 of its mean: too much for finer
+  // tolerances, and behind linings.
+  bool keepsCoefficients(const SceneResources& scene) const {
+    constexpr float finestTolerance = 0.002F;
+    return plan.tolerance >= finestTolerance && !scene.clusters.haveLinings;
+  }
+
   // What leaves through the clusters: of the light that enters from outside, and of what leaves and
   // enters again.
   void solveBoundary(SceneResources& scene) const {
@@ -183,7 +190,8 @@ struct FrameContext {
                             .openingAngle = openingAngle,
                             .tolerance = tolerance,
                             .adds = again,
-                            .isDiffuse = again || !plan.skyIsDark},
+                            .isDiffuse = again || !plan.skyIsDark,
+                            .keepsCoefficients = keepsCoefficients(scene)},
                            resources.tables, clusters, scene.solver);
       using From = passes::OpaquePass::From;
       giveBack(again ? From::Clusters : From::Lights, scene);

@@ -1,26 +1,44 @@
 #include "scene/repair/duplicate_objects.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "scene/changes.h"
 #include "scene/hash.h"
 
 namespace opaline::scene {
 
 namespace {
 
-bool stays(const Scene& scene, std::size_t object) {
-  return !scene.objects[object].rig && !changesMaterial(scene, object);
+/// Objects of one hash that another is compared with: those of one mesh and medium differ in their
+/// textures at most.
+constexpr std::size_t mostCompared = 16;
+
+std::vector<bool> changingIn(const Scene& scene) {
+  std::vector<bool> changing(scene.objects.size());
+  for (std::size_t i = 0; i < changing.size(); ++i) changing[i] = scene.objects[i].rig.has_value();
+  for (const ClipChanges& changes : scene.changes) {
+    for (const Keys<OpaqueMaterial>& keys : changes.surfaces) changing.at(keys.index) = true;
+    for (const Keys<Medium>& keys : changes.media) changing.at(keys.index) = true;
+  }
+  return changing;
 }
 
-std::uint64_t hashOf(const Mesh& mesh) {
-  std::uint64_t hash = mesh.triangles.size();
-  for (const Vec3& position : mesh.positionsMm)
+std::uint64_t hashOf(const Object& object) {
+  std::uint64_t hash = object.mesh.triangles.size();
+  for (const Vec3& position : object.mesh.positionsMm)
     for (const float coordinate : position) mix(hash, std::bit_cast<std::uint32_t>(coordinate));
+  for (const Triangle& triangle : object.mesh.triangles)
+    for (const std::uint32_t vertex : triangle) mix(hash, vertex);
+  const Medium& medium = object.medium;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    mix(hash, std::bit_cast<std::uint64_t>(medium.sigmaSPrimePerMm[channel]));
+    mix(hash, std::bit_cast<std::uint64_t>(medium.sigmaAPerMm[channel]));
+  }
+  mix(hash, object.opaque.has_value() ? 1 : 0);
   return hash;
 }
 
@@ -34,27 +52,40 @@ bool areSame(const Object& a, const Object& b) {
   return areSame(a.mesh, b.mesh) && materialOf(a) == materialOf(b);
 }
 
-// Of each object whether it is one.
-std::vector<bool> duplicatesIn(const Scene& scene) {
-  std::vector<bool> duplicates(scene.objects.size());
-  std::unordered_map<std::uint64_t, std::size_t> firstOf;
+// Of each object the one that it is again, or itself.
+std::vector<std::size_t> originalsIn(const Scene& scene) {
+  const std::vector<bool> changing = changingIn(scene);
+  std::vector<std::size_t> originals(scene.objects.size());
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> known;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (!stays(scene, i)) continue;
-    const auto [first, isNew] = firstOf.try_emplace(hashOf(scene.objects[i].mesh), i);
-    duplicates[i] = !isNew && areSame(scene.objects[first->second], scene.objects[i]);
+    originals[i] = i;
+    if (changing[i]) continue;
+    std::vector<std::size_t>& alike = known[hashOf(scene.objects[i])];
+    const auto same = std::find_if(alike.begin(), alike.end(), [&](std::size_t other) {
+      return areSame(scene.objects[other], scene.objects[i]);
+    });
+    if (same != alike.end())
+      originals[i] = *same;
+    else if (alike.size() < mostCompared)
+      alike.push_back(i);
   }
-  return duplicates;
+  return originals;
 }
 
 }  // namespace
 
 std::size_t removeDuplicateObjects(Scene& scene) {
-  const std::vector<bool> duplicates = duplicatesIn(scene);
+  const std::vector<std::size_t> originals = originalsIn(scene);
   std::vector<Object> kept;
   std::vector<std::uint32_t> indices;  // those that objects have from now on
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    indices.push_back(static_cast<std::uint32_t>(kept.size()));
-    if (!duplicates[i]) kept.push_back(std::move(scene.objects[i]));
+    if (originals[i] == i) {
+      indices.push_back(static_cast<std::uint32_t>(kept.size()));
+      kept.push_back(std::move(scene.objects[i]));
+    } else {
+      indices.push_back(indices[originals[i]]);
+      kept[indices[i]].duplicates.push_back(std::move(scene.objects[i].name));
+    }
   }
   const std::size_t count = scene.objects.size() - kept.size();
   scene.objects = std::move(kept);

@@ -369,6 +369,42 @@ void keepNumbers(const Object& object, SceneSource& source) {
   numbers.opaque = {};
 }
 
+void describeObject(const Object& object, SceneDescription& description) {
+  keepNumbers(object, description.source);
+  const auto& materials = description.source.materialOfObject;
+  const auto name = materials.find(object.name);
+  const bool isNamed = name != materials.end();
+  description.mediaOfAll = description.mediaOfAll && !isNamed && !object.opaque;
+  // What is opaque is so by the model's file or by a material.
+  if (object.opaque) return;
+  if (isNamed && isAsItsMaterial(object, description.source.materials.at(name->second))) return;
+  description.mediaOfAll = description.mediaOfAll && !object.paint;
+  description.media.push_back({object.name, object.medium, object.paint.has_value()});
+}
+
+template <typename T>
+void copyEntry(const std::string& from, const std::string& to, std::map<std::string, T>& entries) {
+  const auto found = entries.find(from);
+  if (found == entries.end())
+    entries.erase(to);
+  else
+    entries[to] = found->second;
+}
+
+/// What the description says of an object is said of its duplicates too, which are there again when
+/// the models are loaded.
+void describeDuplicates(const Object& object, SceneDescription& description) {
+  std::vector<SceneDescription::ObjectMedium>& media = description.media;
+  const bool hasMedium = !media.empty() && media.back().object == object.name;
+  for (const std::string& name : object.duplicates) {
+    copyEntry(object.name, name, description.source.materialOfObject);
+    copyEntry(object.name, name, description.source.numbersOfObject);
+    if (!hasMedium) continue;
+    media.push_back(SceneDescription::ObjectMedium(media.back()));
+    media.back().object = name;
+  }
+}
+
 }  // namespace
 
 }  // namespace opaline::scene
@@ -394,17 +430,8 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   if (description.ground) *description.ground->heightMm -= description.centreMm[1];
   for (const Object& object : scene.objects) {
     if (object.isGround) continue;
-    scene::keepNumbers(object, description.source);
-    const auto& materials = description.source.materialOfObject;
-    const auto name = materials.find(object.name);
-    const bool isNamed = name != materials.end();
-    description.mediaOfAll = description.mediaOfAll && !isNamed && !object.opaque;
-    // What is opaque is so by the model's file or by a material.
-    if (object.opaque) continue;
-    if (isNamed && scene::isAsItsMaterial(object, description.source.materials.at(name->second)))
-      continue;
-    description.mediaOfAll = description.mediaOfAll && !object.paint;
-    description.media.push_back({object.name, object.medium, object.paint.has_value()});
+    scene::describeObject(object, description);
+    scene::describeDuplicates(object, description);
   }
   description.directional = lighting.directional;
   description.points = lighting.points;

@@ -29,9 +29,7 @@ void put(uint first, ActingNode node) {
     bool itself = node.leaf && node.cluster == tile.firstCluster + t;
     Action action = noAction();
     if (!itself) action = actionOn(targets[t], node, weightS, openingAngle);
-    numbers[3u * t] = packed(action.ofDensity.r, action.ofDensity.g);
-    numbers[3u * t + 1u] = packed(action.ofDensity.b, action.ofDipole.r);
-    numbers[3u * t + 2u] = packed(action.ofDipole.g, action.ofDipole.b);
+    [[unroll]] for (uint c = 0u; c < 3u; ++c) numbers[3u * t + c] = packed(action.ofDensity[c], action.ofDipole[c]);
   }
   [[unroll]] for (uint i = 0u; i < texelsOfActions; ++i)
     coefficients[first + i] = vec4(numbers[4u * i], numbers[4u * i + 1u], numbers[4u * i + 2u], numbers[4u * i + 3u]);

@@ -88,11 +88,11 @@ void addKept(uint k, uint node) {
     vec4 texels[3];
     [[unroll]] for (int i = 0; i < 3; ++i) texels[i] = texelOf(coefficients, first + 3 * int(t / 4u) + i);
     [[unroll]] for (uint u = 0u; u < 4u; ++u) {
-      vec2 one = unpacked(texels[3u * u / 4u][3u * u % 4u]);
-      vec2 two = unpacked(texels[(3u * u + 1u) / 4u][(3u * u + 1u) % 4u]);
-      vec2 three = unpacked(texels[(3u * u + 2u) / 4u][(3u * u + 2u) % 4u]);
-      Action action = Action(vec3(one, two.x), vec3(two.y, three));
-      sumOfActions[t + u] += actionOf(action, place - targets[t + u].xyz, there.dipoles, there.density);
+      vec2 red = unpacked(texels[3u * u / 4u][3u * u % 4u]);
+      vec2 green = unpacked(texels[(3u * u + 1u) / 4u][(3u * u + 1u) % 4u]);
+      vec2 blue = unpacked(texels[(3u * u + 2u) / 4u][(3u * u + 2u) % 4u]);
+      Action action = Action(vec3(red.x, green.x, blue.x), vec3(red.y, green.y, blue.y));
+      sumOfActions[t + u] += fluenceBy(action, place - targets[t + u].xyz, there.dipoles, there.density);
     }
   }
 }
@@ -103,8 +103,8 @@ void add(uint at, vec3 weightS) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
     bool itself = node.leaf && node.cluster == tile.firstCluster + t;
     if (!itself)
-      sumOfActions[t] += actionOf(actionOn(targets[t], node, weightS, openingAngle), node.place - targets[t].xyz,
-                                  there.dipoles, there.density);
+      sumOfActions[t] += fluenceBy(actionOn(targets[t], node, weightS, openingAngle), node.place - targets[t].xyz,
+                                   there.dipoles, there.density);
   }
 }
 

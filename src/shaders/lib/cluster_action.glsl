@@ -63,12 +63,12 @@ Action actionOn(vec4 target, ActingNode node, vec3 weightS, float openingAngle) 
   return Action(single * node.second + e * sheet / max(node.area, 1e-30), along);
 }
 
-// Of the densities on a node, a column for each channel, and Σ a φ.
-vec3 actionOf(Action action, vec3 offset, mat3 dipoles, vec3 density) {
+// Of the dipoles on a node, a column for each channel, and Σ a φ.
+vec3 fluenceBy(Action action, vec3 offset, mat3 dipoles, vec3 density) {
   return action.ofDensity * density - action.ofDipole * (offset * dipoles);
 }
 
-// With eight bits after the first: a coefficient is right within 0.2 %.
+// With seven bits after the first: a coefficient is right within 0.4 %.
 float packed(float low, float high) {
   uvec2 rounded = floatBitsToUint(vec2(low, high)) + 0x8000u;
   return uintBitsToFloat(rounded.x >> 16u | (rounded.y & 0xffff0000u));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "opaline/media.h"
 #include "opaline/scene_file.h"
@@ -41,6 +42,15 @@ TEST(DuplicateObjects, AreNotThoseOfAnotherMaterialOrShape) {
   EXPECT_EQ(removeDuplicateObjects(scene), 0U);
 }
 
+TEST(DuplicateObjects, MayBeOfALaterObject) {
+  Scene scene;
+  scene.objects = {cubeAt("a", {0, 0, 0}), cubeAt("b", {0, 0, 0}), cubeAt("c", {0, 0, 0})};
+  scene.objects[1].medium = scene.objects[2].medium = findMedium("skin1").value();
+  EXPECT_EQ(removeDuplicateObjects(scene), 1U);
+  EXPECT_EQ(namesOf(scene), "ab");
+  EXPECT_EQ(scene.objects[1].duplicates, std::vector<std::string>{"c"});
+}
+
 TEST(DuplicateObjects, AreNotThoseThatMoveOrChange) {
   Scene scene;
   scene.objects = {cubeAt("a", {0, 0, 0}), cubeAt("b", {0, 0, 0}), cubeAt("c", {0, 0, 0})};
@@ -67,6 +77,23 @@ TEST(DuplicateObjects, OfASceneFileAreARepair) {
   const Scene scene = loadSceneFile(folder / "scene.toml").scene;
   EXPECT_EQ(scene.objects.size(), 2U);
   EXPECT_EQ(test::countOf(scene.repairs, "duplicate objects"), 1U);
+}
+
+TEST(DuplicateObjects, AreStillDuplicatesOnceTheSceneWasSaved) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder / "tetrahedron.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string model = "[[models]]\nfile = 'tetrahedron.obj'\n";
+  test::writeBytes(folder / "scene.toml", model + model + model + "translation_mm = [90, 0, 0]\n");
+  LoadedScene loaded = loadSceneFile(folder / "scene.toml");
+  loaded.scene.objects.at(0).medium = findMedium("skin1").value();
+  const auto saved =
+      writeScene({folder / "saved.toml"}, describe(loaded.scene, loaded.source, loaded.settings));
+  const Scene again = loadSceneFile(saved).scene;
+  ASSERT_EQ(again.objects.size(), 2U);
+  EXPECT_EQ(again.objects[0].medium.name, "skin1");
+  EXPECT_EQ(again.objects[0].duplicates, loaded.scene.objects[0].duplicates);
+  EXPECT_EQ(again.objects[1].medium.name, "marble");
 }
 
 }  // namespace
