@@ -26,9 +26,7 @@ void put(uint first, ActingNode node) {
   vec3 weightS = singleLayerWeight(medium);
   float numbers[4u * texelsOfActions];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    bool itself = node.leaf && node.cluster == tile.firstCluster + t;
-    Action action = noAction();
-    if (!itself) action = actionOn(targets[t], node, weightS, openingAngle);
+    Action action = actionOn(t, node, weightS, openingAngle);
     [[unroll]] for (uint c = 0u; c < 3u; ++c) numbers[3u * t + c] = packed(action.ofDensity[c], action.ofDipole[c]);
   }
   [[unroll]] for (uint i = 0u; i < texelsOfActions; ++i)

@@ -100,12 +100,9 @@ void addKept(uint k, uint node) {
 void add(uint at, vec3 weightS) {
   ActingNode node = actingNode(at);
   NodeDensity there = densityAt(at);
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    bool itself = node.leaf && node.cluster == tile.firstCluster + t;
-    if (!itself)
-      sumOfActions[t] += fluenceBy(actionOn(targets[t], node, weightS, openingAngle), node.place - targets[t].xyz,
-                                   there.dipoles, there.density);
-  }
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    sumOfActions[t] += fluenceBy(actionOn(t, node, weightS, openingAngle), node.place - targets[t].xyz, there.dipoles,
+                                 there.density);
 }
 
 // What acts on each cluster of the tile, for sumOfTile(). The coefficients of a list's first nodes are kept; those

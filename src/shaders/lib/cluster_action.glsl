@@ -38,8 +38,11 @@ Action noAction() {
   return Action(vec3(0.0), vec3(0.0));
 }
 
-// From a single layer of that weight as from its middle, and from a double one of the node's dipole.
-Action actionOn(vec4 target, ActingNode node, vec3 weightS, float openingAngle) {
+// On the tile's cluster t: from a single layer of that weight as from its middle, and from a double one of the
+// node's dipole. Nothing from the cluster itself.
+Action actionOn(uint t, ActingNode node, vec3 weightS, float openingAngle) {
+  if (node.leaf && node.cluster == tile.firstCluster + t) return noAction();
+  vec4 target = targets[t];
   vec3 sigma = way.sigma;
   vec3 offset = node.place - target.xyz;
   float squared = dot(offset, offset);

@@ -25,6 +25,15 @@ std::string namesOf(const Scene& scene) {
   return names;
 }
 
+/// A scene file of three tetrahedra, of which two lie at one place.
+LoadedScene loadTetrahedra(const test::TemporaryFolder& folder) {
+  test::writeBytes(folder / "tetrahedron.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string model = "[[models]]\nfile = 'tetrahedron.obj'\n";
+  test::writeBytes(folder / "scene.toml", model + model + model + "translation_mm = [90, 0, 0]\n");
+  return loadSceneFile(folder / "scene.toml");
+}
+
 TEST(DuplicateObjects, OfOnePlaceShapeAndMaterialAreOne) {
   Scene scene;
   for (const char* name : {"a", "b", "c"}) scene.objects.push_back(cubeAt(name, {1, 2, 3}));
@@ -70,22 +79,14 @@ TEST(DuplicateObjects, LeaveChangesToTheObjectsThatTheyWereOf) {
 
 TEST(DuplicateObjects, OfASceneFileAreARepair) {
   const test::TemporaryFolder folder;
-  test::writeBytes(folder / "tetrahedron.obj",
-                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  const std::string model = "[[models]]\nfile = 'tetrahedron.obj'\n";
-  test::writeBytes(folder / "scene.toml", model + model + model + "translation_mm = [9, 0, 0]\n");
-  const Scene scene = loadSceneFile(folder / "scene.toml").scene;
+  const Scene scene = loadTetrahedra(folder).scene;
   EXPECT_EQ(scene.objects.size(), 2U);
   EXPECT_EQ(test::countOf(scene.repairs, "duplicate objects"), 1U);
 }
 
 TEST(DuplicateObjects, AreStillDuplicatesOnceTheSceneWasSaved) {
   const test::TemporaryFolder folder;
-  test::writeBytes(folder / "tetrahedron.obj",
-                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  const std::string model = "[[models]]\nfile = 'tetrahedron.obj'\n";
-  test::writeBytes(folder / "scene.toml", model + model + model + "translation_mm = [90, 0, 0]\n");
-  LoadedScene loaded = loadSceneFile(folder / "scene.toml");
+  LoadedScene loaded = loadTetrahedra(folder);
   loaded.scene.objects.at(0).medium = findMedium("skin1").value();
   const auto saved =
       writeScene({folder / "saved.toml"}, describe(loaded.scene, loaded.source, loaded.settings));
