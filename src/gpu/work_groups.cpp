@@ -29,6 +29,7 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
   WorkGroups groups;
   groups.invocationsOfLongWork = groups.invocationsOfRays = groups.invocationsOfTile = large;
   groups.lanes = 8;
+  groups.drawTriangles = true;
   return groups;
 }
 

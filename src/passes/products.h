@@ -147,6 +147,8 @@ struct FrameView {
 /// Depth from the lights, one layer for each shadow view.
 struct ShadowMaps {
   gpu::GpuImage depth;
+  gpu::Buffer drawn;  ///< some maps before they are copied there, where invocations draw triangles
+  std::uint32_t viewsDrawn = 0;  ///< for which that has room
 };
 
 /// A tree whose nodes frames fit to the surface (passes/fitted_tree.h).
@@ -303,8 +305,10 @@ constexpr std::size_t askedLists = 4;
 struct VisibleSurfaces {
   gpu::GpuImage words;  ///< a layer for each sample; a pixel's surfaces are in the first layers
   gpu::GpuImage depth;  ///< of each sample, or of one after the other
-  gpu::GpuImage drawn;  ///< triangles that all samples see, where these are drawn at once
+  gpu::GpuImage drawn;  ///< triangles that all samples see, where hardware draws these at once
   gpu::GpuImage drawnDepth;
+  gpu::Buffer nearest;  ///< the same where invocations do (lib/sample_words.glsl), uint
+  gpu::Buffer nearestDepth;
   bool drawnAtOnce = false;  ///< of the picture that was recorded last
   gpu::Buffer mixed;         ///< pixels that see several triangles
   gpu::Buffer mixedCount;    ///< shared::SeenCount

@@ -3,29 +3,73 @@
 #include <algorithm>
 
 #include "gpu/device.h"
+#include "passes/raster.h"
 
 namespace opaline::passes {
 
 namespace {
 
+std::size_t bytesOfMap(std::uint32_t size) {
+  return std::size_t{size} * size * sizeof(float);
+}
+
 gpu::GraphicsOptions ofDepth() {
   return {.depthFormat = VK_FORMAT_D32_SFLOAT, .depth = gpu::DepthMode::Write};
 }
 
+// Of maps that invocations have drawn and that are not copied yet.
+constexpr std::size_t mostDrawnBytes = std::size_t{64} << 20U;
+
 }  // namespace
 
 ShadowPass::ShadowPass(gpu::Device& device)
-    : pipeline_(device, "shadow", ofDepth()), cutOut_(device, "shadow with holes", ofDepth()) {}
+    : pipeline_(device, "shadow", ofDepth()),
+      cutOut_(device, "shadow with holes", ofDepth()),
+      depths_(device, "depths of shadow maps") {}
 
 ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
-  return {gpu::GpuImage(
-      device, {.name = "shadow maps",
-               .width = size,
-               .height = size,
-               .layers = std::max(views, 1U),
-               .format = VK_FORMAT_D32_SFLOAT,
-               .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-               .kind = gpu::ImageKind::Array})};
+  ShadowMaps made;
+  const bool drawn = device.workGroups().drawTriangles && views > 0;
+  VkImageUsageFlags usage =
+      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  if (drawn) usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  made.depth = {device,
+                {.name = "shadow maps",
+                 .width = size,
+                 .height = size,
+                 .layers = std::max(views, 1U),
+                 .format = VK_FORMAT_D32_SFLOAT,
+                 .usage = usage,
+                 .kind = gpu::ImageKind::Array}};
+  if (!drawn) return made;
+  const std::size_t bytes = bytesOfMap(size);
+  made.viewsDrawn =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(mostDrawnBytes / bytes, 1, views));
+  made.drawn = {device,
+                {.name = "depths of shadow maps",
+                 .bytes = made.viewsDrawn * bytes,
+                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                          VK_BUFFER_USAGE_TRANSFER_DST_BIT}};
+  return made;
+}
+
+// Several views at once, as many as there is room for.
+void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& frame,
+                                     DeformedMesh& mesh, ShadowMaps& maps) const {
+  const std::uint32_t size = maps.depth.extent().width;
+  const std::uint32_t triangles = mesh.castingIndexCount / 3;
+  const RasterBands bands = rasterBands(triangles, size);
+  for (std::uint32_t first = 0; first < frame.shadowViews; first += maps.viewsDrawn) {
+    const std::uint32_t views = std::min(maps.viewsDrawn, frame.shadowViews - first);
+    commands.fill({maps.drawn}, 0);
+    commands.bind(
+        depths_,
+        {.frame = frame.data, .indices = mesh.indices, .positions = mesh.positions, .depths = maps.drawn},
+        {.triangleCount = triangles, .firstView = first, .rowsOfBand = bands.rows});
+    commands.dispatch(bands.groups, bands.count, views);
+    for (std::uint32_t view = 0; view < views; ++view)
+      commands.copyToImage(maps.drawn, maps.depth, first + view, 0, view * bytesOfMap(size));
+  }
 }
 
 void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
@@ -44,6 +88,15 @@ void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, Deform
 void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
                         const CutOuts& cutOuts, ShadowMaps& maps) const {
   commands.beginPass("shadow");
+  if (maps.drawn && mesh.cutOut.empty())
+    recordByInvocations(commands, frame, mesh, maps);
+  else
+    draw(commands, frame, mesh, cutOuts, maps);
+  commands.endPass();
+}
+
+void ShadowPass::draw(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+                      const CutOuts& cutOuts, ShadowMaps& maps) const {
   commands.use(mesh.indices, gpu::Access::Index);
   for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
     // What it reads is ordered before the drawing begins.
@@ -62,7 +115,6 @@ void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMe
       commands.drawIndexed(mesh.indices, range.count, range.first);
     commands.endRendering();
   }
-  commands.endPass();
 }
 
 }  // namespace opaline::passes

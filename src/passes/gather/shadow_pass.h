@@ -8,6 +8,7 @@
 #include "shaders/gather/cutout_shadow.frag.h"
 #include "shaders/gather/cutout_shadow.vert.h"
 #include "shaders/gather/shadow.vert.h"
+#include "shaders/gather/shadow_depths.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -28,11 +29,16 @@ class ShadowPass {
               const CutOuts& cutOuts, ShadowMaps& maps) const;
 
  private:
+  void draw(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+            const CutOuts& cutOuts, ShadowMaps& maps) const;
+  void recordByInvocations(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+                           ShadowMaps& maps) const;
   void bindCutOut(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
                   const CutOuts& cutOuts, std::uint32_t view) const;
 
   gpu::Graphics<shaders::GatherShadowVert> pipeline_;
   gpu::Graphics<shaders::GatherCutoutShadowVert, shaders::GatherCutoutShadowFrag> cutOut_;
+  gpu::Compute<shaders::GatherShadowDepths> depths_;
 };
 
 }  // namespace opaline::passes

@@ -5,6 +5,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/raster.h"
 #include "shaders/shared/opaque.h"
 #include "shaders/shared/seen.h"
 
@@ -73,6 +74,8 @@ SurfacePass::SurfacePass(gpu::Device& device)
       lights_(device, "visible lights", ofWords()),
       seen_(device, "seen pixels"),
       seenAtOnce_(device, "seen pixels"),
+      nearestTriangles_(device, "nearest triangles"),
+      seenNearest_(device, "seen pixels"),
       surfaces_(device, "seen surfaces"),
       listed_(device, "list of seen surfaces") {}
 
@@ -82,8 +85,9 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                                          VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
   VisibleSurfaces made;
-  const bool atOnce =
-      kept.drawn && depthsOf(extent, samples) == samples && drawsAtOnce(device, samples);
+  const bool canDraw = kept.drawn && depthsOf(extent, samples) == samples;
+  const bool byInvocations = canDraw && device.workGroups().drawTriangles;
+  const bool atOnce = canDraw && !byInvocations && drawsAtOnce(device, samples);
   made.words = {device,
                 {.name = "seen surfaces",
                  .width = extent.width,
@@ -97,7 +101,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                 {.name = "depth",
                  .width = extent.width,
                  .height = extent.height,
-                 .layers = atOnce ? 1 : depthsOf(extent, samples),
+                 .layers = atOnce || byInvocations ? 1 : depthsOf(extent, samples),
                  .format = formatOfDepth,
                  .usage = usageOfDepth,
                  .kind = gpu::ImageKind::Array}};
@@ -112,6 +116,16 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
     };
     made.drawn = ofSamples("triangles of samples", formatOfWords, usageOfDrawn);
     made.drawnDepth = ofSamples("depth of samples", formatOfDepth, usageOfDepth);
+  }
+  if (byInvocations) {
+    const auto ofSamples = [&](const char* name) {
+      return gpu::Buffer(
+          device, {.name = name,
+                   .bytes = std::size_t{extent.width} * extent.height * samples * sizeof(std::uint32_t),
+                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+    };
+    made.nearest = ofSamples("nearest triangles of samples");
+    made.nearestDepth = ofSamples("depth of samples");
   }
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
@@ -210,20 +224,73 @@ void SurfacePass::drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& see
   commands.endRendering();
 }
 
+void SurfacePass::drawByInvocations(gpu::CommandList& commands, const SeenSurfaces& seen,
+                                    std::uint32_t samples) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  const VkExtent2D extent = surfaces.words.extent();
+  const std::uint32_t triangles = seen.mesh.indexCount / 3;
+  const RasterBands bands = rasterBands(triangles, extent.height);
+  commands.fill({surfaces.nearest, surfaces.nearestDepth}, 0);
+  for (const std::uint32_t findsTriangles : {0U, 1U}) {
+    commands.bind(nearestTriangles_,
+                  {.frame = seen.frame.data,
+                   .indices = seen.mesh.indices,
+                   .positions = seen.mesh.positions,
+                   .depths = surfaces.nearestDepth,
+                   .triangles = surfaces.nearest},
+                  {.width = extent.width,
+                   .height = extent.height,
+                   .samples = samples,
+                   .triangleCount = triangles,
+                   .rowsOfBand = bands.rows,
+                   .findsTriangles = findsTriangles});
+    commands.dispatch(bands.groups, bands.count);
+  }
+}
+
 void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                        std::span<const shared::vec2> samples, Beside beside) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   // Of holes, of lights and of what is behind surfaces every sample has to be asked.
-  surfaces.drawnAtOnce = surfaces.drawn && surfaces.drawn.options().samples == samples.size() &&
-                         !beside.backdrop && seen.mesh.cutOut.empty();
+  const auto count = static_cast<std::uint32_t>(samples.size());
+  surfaces.drawnAtOnce =
+      (surfaces.nearest || (surfaces.drawn && surfaces.drawn.options().samples == count)) &&
+      !beside.backdrop && seen.mesh.cutOut.empty();
   commands.beginPass("surface");
-  if (surfaces.drawnAtOnce) {
+  if (surfaces.drawnAtOnce && surfaces.nearest) {
+    drawByInvocations(commands, seen, count);
+  } else if (surfaces.drawnAtOnce) {
     drawAtOnce(commands, seen);
   } else {
     for (std::uint32_t sample = 0; sample < samples.size(); ++sample)
       drawSample(commands, seen, cutOuts, sample, samples[sample], beside.lights);
   }
   commands.endPass();
+}
+
+// Binds what lists pixels of several triangles.
+void SurfacePass::bindSeen(gpu::CommandList& commands, const SeenSurfaces& seen,
+                            std::uint32_t firstRow, std::uint32_t samples) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  if (surfaces.drawnAtOnce && surfaces.nearest)
+    commands.bind(seenNearest_,
+                  {.words = surfaces.words,
+                   .mixed = surfaces.mixed,
+                   .mixedCount = surfaces.mixedCount,
+                   .triangles = surfaces.nearest},
+                  {.samples = samples, .firstRow = firstRow});
+  else if (surfaces.drawnAtOnce)
+    commands.bind(seenAtOnce_,
+                  {.words = surfaces.words,
+                   .mixed = surfaces.mixed,
+                   .mixedCount = surfaces.mixedCount,
+                   .drawn = {surfaces.drawn, nearest_}},
+                  {.samples = samples, .firstRow = firstRow});
+  else
+    commands.bind(
+        seen_,
+        {.words = surfaces.words, .mixed = surfaces.mixed, .mixedCount = surfaces.mixedCount},
+        {.samples = samples, .firstRow = firstRow});
 }
 
 void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
@@ -237,18 +304,7 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                  surfaces.countsOf(Asked::OfSky)},
                 0);
   const auto dispatchTiles = [&] { commands.dispatch(tilesFor(extent.width), tilesFor(rows)); };
-  if (surfaces.drawnAtOnce)
-    commands.bind(seenAtOnce_,
-                  {.words = surfaces.words,
-                   .mixed = surfaces.mixed,
-                   .mixedCount = surfaces.mixedCount,
-                   .drawn = {surfaces.drawn, nearest_}},
-                  {.samples = samples, .firstRow = firstRow});
-  else
-    commands.bind(
-        seen_,
-        {.words = surfaces.words, .mixed = surfaces.mixed, .mixedCount = surfaces.mixedCount},
-        {.samples = samples, .firstRow = firstRow});
+  bindSeen(commands, seen, firstRow, samples);
   dispatchTiles();
   if (samples > 1) {
     commands.use(surfaces.mixedCount, gpu::Access::Indirect);

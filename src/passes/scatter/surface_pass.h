@@ -10,8 +10,10 @@
 #include "shaders/scatter/cutout_surface.frag.h"
 #include "shaders/scatter/cutout_surface.vert.h"
 #include "shaders/scatter/listed_surfaces.comp.h"
+#include "shaders/scatter/nearest_triangles.comp.h"
 #include "shaders/scatter/seen.comp.h"
 #include "shaders/scatter/seen_at_once.comp.h"
+#include "shaders/scatter/seen_nearest.comp.h"
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
 #include "shaders/scatter/surfaces.comp.h"
@@ -55,6 +57,10 @@ class SurfacePass {
   void drawSample(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                   std::uint32_t sample, shared::vec2 place, bool visibleLights) const;
   void drawAtOnce(gpu::CommandList& commands, const SeenSurfaces& seen) const;
+  void drawByInvocations(gpu::CommandList& commands, const SeenSurfaces& seen,
+                         std::uint32_t samples) const;
+  void bindSeen(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
+                std::uint32_t samples) const;
 
   gpu::Sampler nearest_;
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
@@ -64,6 +70,8 @@ class SurfacePass {
   gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
   gpu::Compute<shaders::ScatterSeenAtOnce> seenAtOnce_;
+  gpu::Compute<shaders::ScatterNearestTriangles> nearestTriangles_;
+  gpu::Compute<shaders::ScatterSeenNearest> seenNearest_;
   gpu::Compute<shaders::ScatterSurfaces> surfaces_;
   gpu::Compute<shaders::ScatterListedSurfaces> listed_;
 };

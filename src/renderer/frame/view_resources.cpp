@@ -129,7 +129,7 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
       .ofPixels =
           surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && !lighting.areas.empty()),
-      .drawn = surfaces.kept.drawn || (samples > 1 && !showsBackdrop(plan, lighting) && !cutOut)};
+      .drawn = surfaces.kept.drawn || (!showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

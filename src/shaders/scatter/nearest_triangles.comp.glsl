@@ -1,0 +1,39 @@
+// What scatter/surface.vert.glsl and its fragments do, of triangles drawn by invocations and of all samples at once: at
+// first how near the nearest triangle is at each sample, as a number of which the largest is the nearest; then which of
+// those it is that are as near, the first of them. 0 where there is none.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+#include "lib/sample_words.glsl"
+
+layout(std430, set = 0, binding = 1) readonly buffer Indices { uint indices[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
+layout(std430, set = 0, binding = 3) buffer Depths { uint depths[]; };
+layout(std430, set = 0, binding = 4) buffer Triangles { uint triangles[]; };
+
+layout(push_constant) uniform Push {
+  uint width;
+  uint height;
+  uint samples;
+  uint triangleCount;
+  uint rowsOfBand;
+  uint findsTriangles;  // 1: depths are known
+};
+
+#include "lib/raster.glsl"
+
+vec2 sampleAt(uint which) {
+  return frame.samples[which].xy;
+}
+
+void meet(uint triangle, ivec2 pixel, uint which, float depth) {
+  uint at = placeOfSample(uvec2(pixel), which, width, samples);
+  if (findsTriangles == 0u)
+    atomicMax(depths[at], floatBitsToUint(depth));
+  else if (depths[at] == floatBitsToUint(depth))
+    atomicMax(triangles[at], wordOfTriangle(triangle));
+}
+
+void main() {
+  drawTriangles(triangleCount, frame.worldToClip, Picture(ivec2(width, height), samples, rowsOfBand));
+}
