@@ -181,16 +181,19 @@ void putInnerProducts() {
   }
 }
 
-// Of the subgroup that has put them: whether all other tiles have their inner products already.
+shared uint tilesBefore;
+
+// After its first subgroup has put them: whether all other tiles have their inner products already.
 bool isLastOfTiles() {
-  subgroupMemoryBarrierBuffer();
+  if (gl_SubgroupID == 0u) {
+    subgroupMemoryBarrierBuffer();
+    memoryBarrierBuffer();
+    subgroupBarrier();
+    if (subgroupElect()) tilesBefore = atomicAdd(states[solution].tilesDone, 1u);
+  }
+  barrier();
   memoryBarrierBuffer();
-  subgroupBarrier();
-  uint before = 0u;
-  if (subgroupElect()) before = atomicAdd(states[solution].tilesDone, 1u);
-  bool isLast = subgroupMax(before) + 1u == tileCount;
-  memoryBarrierBuffer();
-  return isLast;
+  return tilesBefore + 1u == tileCount;
 }
 
 void main() {
@@ -210,5 +213,7 @@ void main() {
   if (target < maxClustersOfTile) tileProducts[target] = product;
   barrier();
   putInnerProducts();
-  if (gl_SubgroupID == 0u && isLastOfTiles()) endStep();
+  if (!isLastOfTiles()) return;
+  putTotals();
+  if (gl_LocalInvocationIndex == 0u) endStep();
 }

@@ -10,11 +10,33 @@
 // roundings of sums of single precision.
 const float leastLeft2 = 1.0 / float(1u << 21u);
 
+// Of inner products, over the tiles that each subgroup has.
+shared vec3 totals[maxSolverSteps + 1u][invocationsOfTile / 4u];  // of subgroups of 4 at least
+// The rotations so far.
+shared vec3 cosines[maxSolverSteps];
+shared vec3 sines[maxSolverSteps];
+
+// Every invocation of the group calls it.
+void putTotals() {
+  uint last = max(step, 1u);
+  for (uint k = 0u; k <= last; ++k) {
+    vec3 sum = vec3(0.0);
+    for (uint t = gl_LocalInvocationIndex; t < tileCount; t += invocationsOfTile)
+      sum += sums[t * (maxSolverSteps + 1u) + k].rgb;
+    sum = subgroupAdd(sum);
+    if (subgroupElect()) totals[k][gl_SubgroupID] = sum;
+  }
+  for (uint k = gl_LocalInvocationIndex; k + 1u < step; k += invocationsOfTile) {
+    cosines[k] = states[solution].cosine[k].rgb;
+    sines[k] = states[solution].sine[k].rgb;
+  }
+  barrier();
+}
+
 vec3 total(uint k) {
   vec3 sum = vec3(0.0);
-  for (uint t = gl_SubgroupInvocationID; t < tileCount; t += gl_SubgroupSize)
-    sum += sums[t * (maxSolverSteps + 1u) + k].rgb;
-  return subgroupAdd(sum);
+  for (uint g = 0u; g < gl_NumSubgroups; ++g) sum += totals[k][g];
+  return sum;
 }
 
 void orderNextStep(vec3 toGo) {
@@ -37,11 +59,11 @@ void start(vec3 norm, vec3 scale) {
 void rotate(vec3 left, vec3 hidden) {
   uint last = step - 1u;
   uint column = last * (maxSolverSteps + 1u);
-  vec3 lower = states[solution].projections[0].rgb;
+  vec3 lower = total(0u);
   for (uint k = 0u; k < last; ++k) {
-    vec3 c = states[solution].cosine[k].rgb;
-    vec3 s = states[solution].sine[k].rgb;
-    vec3 next = states[solution].projections[k + 1u].rgb;
+    vec3 c = cosines[k];
+    vec3 s = sines[k];
+    vec3 next = total(k + 1u);
     states[solution].hessenberg[column + k] = vec4(c * lower + s * next, 0.0);
     lower = c * next - s * lower;
   }
@@ -61,7 +83,7 @@ void rotate(vec3 left, vec3 hidden) {
   orderNextStep(mix(residual, vec3(0.0), lessThanEqual(left, vec3(0.0))));
 }
 
-// Every invocation of one subgroup calls it.
+// After putTotals(), by one invocation.
 void endStep() {
   vec3 all2 = total(step);
   vec3 entered = step == 0u ? sqrt(total(1u)) : vec3(0.0);
@@ -69,9 +91,8 @@ void endStep() {
   for (uint k = 0u; k < step; ++k) {
     vec3 projection = total(k);
     left2 -= projection * projection;
-    if (subgroupElect()) states[solution].projections[k] = vec4(projection, 0.0);
+    states[solution].projections[k] = vec4(projection, 0.0);
   }
-  if (!subgroupElect()) return;
   states[solution].tilesDone = 0u;
   bvec3 rounded = step == 0u ? bvec3(false) : lessThanEqual(left2, leastLeft2 * all2);
   vec3 left = mix(sqrt(max(left2, 0.0)), vec3(0.0), rounded);
