@@ -202,7 +202,7 @@ struct Places {
 /// where the device has ray queries, what it sends rays through itself.
 struct RayHierarchy {
   gpu::Buffer corners;                   ///< shared::RayPiece, one a piece
-  gpu::Buffer boxes;                     ///< shared::RayBox, one a node
+  gpu::Buffer boxes;                     ///< shared::RayUnits, then a shared::RayBox for each node
   gpu::AccelerationStructure structure;  ///< of the pieces, a body an object; or none
 };
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +35,19 @@ struct Hit {
   std::uint32_t unused = 0;
 };
 
+/// As lib/bounds.glsl has them.
+inline std::vector<std::uint32_t> boundsOf(const std::vector<Vec3>& positions) {
+  std::vector<std::uint32_t> bounds(6, 0xffffffffU);
+  for (const Vec3& position : positions)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto bits = std::bit_cast<std::uint32_t>(position[axis]);
+      const std::uint32_t key = (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
+      bounds[axis] = std::min(bounds[axis], key);
+      bounds[axis + 3] = std::min(bounds[axis + 3], ~key);
+    }
+  return bounds;
+}
+
 /// A body divided into surfels, and the device's hierarchy of it.
 class RayTracer {
  public:
@@ -54,6 +70,7 @@ class RayTracer {
     packed.reserve(positions.size());
     for (const Vec3& p : positions) packed.emplace_back(p[0], p[1], p[2], 1.0F);
     mesh_.positions = gpu::makeBuffer(device_, "positions", packed, roomUsage);
+    mesh_.bounds = gpu::makeBuffer(device_, "bounds", boundsOf(positions), roomUsage);
     commands_.begin();
     refit_.record(commands_, mesh_, surfels_, hierarchy_);
     commands_.submit();

@@ -14,6 +14,11 @@ namespace opaline::passes {
 
 namespace {
 
+gpu::Buffer makeRoomForBoxes(gpu::Device& device, std::uint32_t nodes) {
+  static_assert(sizeof(shared::RayUnits) == 2 * sizeof(shared::RayBox));
+  return makeRoom<shared::RayBox>(device, "boxes for rays", std::size_t{nodes} + 2);
+}
+
 glm::vec4 cornerAt(const core::RestSurface& surface, const surfels::Piece& piece,
                    std::size_t corner) {
   const Triangle& triangle = surface.triangles[piece.triangle];
@@ -48,7 +53,7 @@ RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
   const std::size_t pieces = std::size_t{surfels.count} * surfels.piecesPerSurfel;
   RayHierarchy hierarchy;
   hierarchy.corners = makeRoom<shared::RayPiece>(device, "pieces for rays", pieces);
-  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", surfels.tree.nodeCount);
+  hierarchy.boxes = makeRoomForBoxes(device, surfels.tree.nodeCount);
   return hierarchy;
 }
 
@@ -60,7 +65,7 @@ RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
   RayHierarchy hierarchy;
   hierarchy.corners = gpu::makeBuffer(device, "pieces for rays", piecesAt(made, rest),
                                       roomUsage | gpu::AccelerationStructure::cornersUsage);
-  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", surfels.tree.nodeCount);
+  hierarchy.boxes = makeRoomForBoxes(device, surfels.tree.nodeCount);
   std::vector<std::uint32_t> firstPiece;
   for (const std::uint32_t surfel : made.firstOfObject)
     firstPiece.push_back(surfel * made.piecesPerSurfel);
@@ -97,7 +102,8 @@ void RayPass::recordPieces(gpu::CommandList& commands, DeformedMesh& mesh, Surfe
                  .positions = mesh.positions,
                  .pieces = surfels.pieces,
                  .rayPieces = hierarchy.corners,
-                 .boxes = hierarchy.boxes},
+                 .boxes = hierarchy.boxes,
+                 .bounds = mesh.bounds},
                 {.leafCount = leaves, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(leaves);
 }
@@ -107,7 +113,7 @@ void RayPass::recordNodes(gpu::CommandList& commands, Surfels& surfels,
   fitInnerNodes(commands, surfels.tree, [&](std::uint32_t first, std::uint32_t count) {
     commands.bind(
         nodes_, {.treeletOrder = treeletOrder(surfels.tree), .boxes = hierarchy.boxes},
-        {.firstTreelet = first, .treeletCount = count, .piecesPerSurfel = surfels.piecesPerSurfel});
+        {.firstTreelet = first, .treeletCount = count});
   });
 }
 

@@ -3,18 +3,23 @@
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_PIECES 3
 #define BINDING_VERTICES 2
+#include "lib/bounds.glsl"
 #include "lib/linear.glsl"
 #include "lib/piece_at.glsl"
 #include "lib/position_at.glsl"
+#include "lib/ray_box.glsl"
 #include "lib/tree_node.glsl"
-#include "shared/rays.h"
 
 layout(constant_id = 0) const uint forQueries = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
 layout(std430, set = 0, binding = 4) writeonly buffer RayPieces { RayPiece rayPieces[]; };
-layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes { RayBox boxes[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes {
+  RayUnits units;
+  RayBox ofNodes[];
+} boxes;
+layout(std430, set = 0, binding = 6) readonly buffer Bounds { uint bounds[6]; };
 
 layout(push_constant) uniform Push {
   uint leafCount;
@@ -49,9 +54,20 @@ mat3 widened(mat3 corners, float byMm) {
   return corners;
 }
 
+// Of the furthest corner from the middle.
+const float furthestUnits = 16384.0;
+
+vec4 middleUnit() {
+  vec3 low = vec3(unordered(bounds[0]), unordered(bounds[1]), unordered(bounds[2]));
+  vec3 high = vec3(unordered(~bounds[3]), unordered(~bounds[4]), unordered(~bounds[5]));
+  return vec4(0.5 * (low + high), max(largestOf(high - low), 1e-30) / (2.0 * furthestUnits));
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= leafCount) return;
+  vec4 its = middleUnit();
+  if (i == 0u) boxes.units = RayUnits(its, vec4(float(piecesPerSurfel)));
   uint node = leafNodes[i];
   uint link = links[node];
   uint from = firstSurfelOf(link) * piecesPerSurfel;
@@ -89,6 +105,5 @@ void main() {
     high = max(high, max(max(corners[0], corners[1]), corners[2]));
   }
   float margin = roundedPart * largestOf(max(abs(low), abs(high)));
-  boxes[node] = RayBox(vec4(low - margin, uintBitsToFloat(link)),
-                       vec4(high + margin, float(piecesPerSurfel)));
+  boxes.ofNodes[node] = packedBox((low - margin - its.xyz) / its.w, (high + margin - its.xyz) / its.w, link);
 }

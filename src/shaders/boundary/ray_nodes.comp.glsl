@@ -2,27 +2,27 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_TREELETS 0
+#include "lib/ray_box.glsl"
 #include "lib/treelets.glsl"
-#include "shared/rays.h"
 
-layout(std430, set = 0, binding = 4) coherent buffer RayBoxes { RayBox boxes[]; };
+layout(std430, set = 0, binding = 4) coherent buffer RayBoxes {
+  RayUnits units;
+  RayBox ofNodes[];
+} boxes;
 
 layout(push_constant) uniform Push {
   uint firstTreelet;
   uint treeletCount;
-  uint piecesPerSurfel;
 };
 
 void fitNode(uint node, uint link) {
   uint end = afterNode(node, link);
-  vec3 low = boxes[node + 1u].lowLink.xyz;
-  vec3 high = boxes[node + 1u].highPieces.xyz;
-  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    low = min(low, boxes[child].lowLink.xyz);
-    high = max(high, boxes[child].highPieces.xyz);
+  mat2x3 sides = sidesOf(boxes.ofNodes[node + 1u]);
+  for (uint child = afterNode(node + 1u, links[node + 1u]); child < end; child = afterNode(child, links[child])) {
+    mat2x3 others = sidesOf(boxes.ofNodes[child]);
+    sides = mat2x3(min(sides[0], others[0]), max(sides[1], others[1]));
   }
-  boxes[node] =
-      RayBox(vec4(low, uintBitsToFloat(link)), vec4(high, float(piecesPerSurfel)));
+  boxes.ofNodes[node] = packedBox(sides[0], sides[1], link);
 }
 
 void main() {

@@ -7,13 +7,12 @@
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
 #include "lib/lesser.glsl"
-#include "lib/texels.glsl"
-
-TEXELS(BINDING_RAYS, rayHierarchy);  // RayBox
+#include "lib/ray_hierarchy.glsl"
 
 struct Ray {
   vec3 origin;
-  vec3 inverse;     // of the direction
+  vec3 boxOrigin;   // in the units of boxes
+  vec3 inverse;     // of the direction, times that unit
   bvec3 backwards;  // where that is below 0
   mat3 turn;        // its rows: two directions across, and that of which `distance` is in lengths
   float reach;      // largest coordinate of the origin, mm
@@ -26,7 +25,8 @@ const float leastComponent = 1e-18;
 Ray makeRay(vec3 origin, vec3 direction) {
   vec3 size = abs(direction);
   bvec3 small = lessThan(size, vec3(leastComponent));
-  vec3 inverse = 1.0 / mix(direction, vec3(leastComponent), small);
+  vec4 middleUnit = middleUnitOfBoxes();
+  vec3 inverse = middleUnit.w / mix(direction, vec3(leastComponent), small);
   vec3 unit = normalize(direction);
   // Duff et al. 2017.
   float s = unit.z >= 0.0 ? 1.0 : -1.0;
@@ -35,14 +35,14 @@ Ray makeRay(vec3 origin, vec3 direction) {
   vec3 across = vec3(1.0 + s * unit.x * unit.x * a, s * b, -s * unit.x);
   vec3 up = vec3(b, s + unit.y * unit.y * a, -unit.y);
   vec3 places = abs(origin);
-  return Ray(origin, inverse, lessThan(inverse, vec3(0.0)),
+  return Ray(origin, (origin - middleUnit.xyz) / middleUnit.w, inverse, lessThan(inverse, vec3(0.0)),
              transpose(mat3(across, up, direction / dot(direction, direction))), largestOf(places));
 }
 
 // Whether some of the box may lie between the ray's origin and `furthest`.
-bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
-  vec3 enters = (mix(low, high, ray.backwards) - ray.origin) * ray.inverse;
-  vec3 leaves = (mix(high, low, ray.backwards) - ray.origin) * ray.inverse;
+bool meetsBox(Ray ray, mat2x3 sides, float furthest) {
+  vec3 enters = (mix(sides[0], sides[1], ray.backwards) - ray.boxOrigin) * ray.inverse;
+  vec3 leaves = (mix(sides[1], sides[0], ray.backwards) - ray.boxOrigin) * ray.inverse;
   const float rounded = 1.0 + 1.0 / float(1u << 21u);
   float enter = max(largestOf(enters), 0.0);
   float leave = leastOf(leaves) * rounded;
@@ -83,24 +83,20 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
                   RayTarget target, bool anyWillDo) {
   Ray ray = makeRay(origin, direction);
   RayHit hit = RayHit(maxDistance, noPiece);
+  uint pieces = piecesOfSurfels();
   uint node = target.firstNode;
   while (node < target.endNode && !(anyWillDo && hit.piece != noPiece)) {
-    uint met = 0u;       // link of a leaf, which is not 0
-    float pieces = 0.0;  // of each of its surfels
+    uint met = 0u;  // link of a leaf, which is not 0
     do {
-      vec4 low = texelOf(rayHierarchy, 2 * int(node));
-      vec4 high = texelOf(rayHierarchy, 2 * int(node) + 1);
-      uint link = floatBitsToUint(low.w);
-      bool meets = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+      RayBox box = boxOf(node);
+      uint link = box.sidesLink.w;
+      bool meets = meetsBox(ray, sidesOf(box), hit.distance);
       bool leaf = isLeaf(link);
-      if (meets && leaf) {
-        met = link;
-        pieces = high.w;
-      }
+      if (meets && leaf) met = link;
       node = meets || leaf ? node + 1u : afterNode(node, link);
     } while (node < target.endNode && met == 0u);
-    uint piece = firstSurfelOf(met) * uint(pieces);
-    uint end = piece + surfelCountOf(met) * uint(pieces);
+    uint piece = firstSurfelOf(met) * pieces;
+    uint end = piece + surfelCountOf(met) * pieces;
     for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
   }
   return hit;

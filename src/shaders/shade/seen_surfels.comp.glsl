@@ -21,7 +21,6 @@ struct Nearest {
   float square;  // of its distance, mm²; at first, of what is near enough
   uint piece;    // or noPiece
   uint leaf;     // the node that holds it
-  uint pieces;   // a surfel
 };
 
 float squareOf(vec3 v) {
@@ -44,7 +43,8 @@ float squareToPiece(vec3 place, vec3 a, vec3 b, vec3 c) {
              squareToEdge(place - c, a - c));
 }
 
-void meetLeaf(vec3 place, uint node, uint link, uint pieces, inout Nearest nearest) {
+void meetLeaf(vec3 place, uint node, uint link, inout Nearest nearest) {
+  uint pieces = piecesOfSurfels();
   uint first = firstSurfelOf(link) * pieces;
   uint end = first + surfelCountOf(link) * pieces;
   for (uint piece = first; piece < end; ++piece) {
@@ -53,26 +53,28 @@ void meetLeaf(vec3 place, uint node, uint link, uint pieces, inout Nearest neare
     if (c.w < 0.0) continue;  // fills a surfel, or has no area
     float square = squareToPiece(place, texelOf(pieceCorners, at).xyz,
                                  texelOf(pieceCorners, at + 1).xyz, c.xyz);
-    if (square < nearest.square) nearest = Nearest(square, piece, node, pieces);
+    if (square < nearest.square) nearest = Nearest(square, piece, node);
   }
 }
 
 Nearest nearestPiece(vec3 place, uint firstNode, uint endNode, float within) {
-  Nearest nearest = Nearest(within * within, noPiece, firstNode, 1u);
+  Nearest nearest = Nearest(within * within, noPiece, firstNode);
+  vec4 middleUnit = middleUnitOfBoxes();
+  vec3 inUnits = (place - middleUnit.xyz) / middleUnit.w;
   uint node = firstNode;
   while (node < endNode) {
-    vec4 low = texelOf(rayHierarchy, 2 * int(node));
-    vec4 high = texelOf(rayHierarchy, 2 * int(node) + 1);
-    uint link = floatBitsToUint(low.w);
-    bool near = squareOf(place - clamp(place, low.xyz, high.xyz)) < nearest.square;
-    if (near && isLeaf(link)) meetLeaf(place, node, link, uint(high.w), nearest);
+    RayBox box = boxOf(node);
+    uint link = box.sidesLink.w;
+    mat2x3 sides = sidesOf(box);
+    bool near = squareOf(middleUnit.w * (inUnits - clamp(inUnits, sides[0], sides[1]))) < nearest.square;
+    if (near && isLeaf(link)) meetLeaf(place, node, link, nearest);
     node = near ? node + 1u : afterNode(node, link);
   }
   return nearest;
 }
 
 uint afterNode(uint node) {
-  return afterNode(node, floatBitsToUint(texelOf(rayHierarchy, 2 * int(node)).w));
+  return afterNode(node, boxOf(node).sidesLink.w);
 }
 
 // The node on the way from the root to a leaf that lies so many levels below the root.
@@ -92,15 +94,15 @@ void main() {
   vec4 found = vec4(-1.0);
   if (surface.w > 0.0) {
     uvec4 tree = objects[uint(surface.w) - 1u].tree;
-    vec3 low = texelOf(rayHierarchy, 2 * int(tree.x)).xyz;
-    float across = length(texelOf(rayHierarchy, 2 * int(tree.x) + 1).xyz - low);
+    mat2x3 sides = sidesOf(boxOf(tree.x));
+    float across = middleUnitOfBoxes().w * length(sides[1] - sides[0]);
     // The place lies on its piece but for rounding, so look there first, and further off after.
     Nearest nearest;
     nearest.piece = noPiece;
     for (float part = 1.0 / 65536.0; part < 16.0 && nearest.piece == noPiece; part *= 64.0)
       nearest = nearestPiece(surface.xyz, tree.x, tree.y, part * across);
     if (nearest.piece != noPiece) {
-      uint surfel = nearest.piece / nearest.pieces;
+      uint surfel = nearest.piece / piecesOfSurfels();
       float cluster = hasClusters != 0u ? float(clusterOfSurfel[surfel]) : -1.0;
       uint node = nodeAtLevel(tree.x, nearest.leaf, treeLevel);
       found = vec4(float(surfel), cluster, float(node), 1.0);

@@ -5,6 +5,7 @@
 #ifdef __cplusplus
 #include <glm/vec4.hpp>
 namespace opaline::shared {
+using glm::uvec4;
 using glm::vec4;
 #endif
 
@@ -17,10 +18,17 @@ struct RayPiece {
   vec4 cornerSlack;   // the third; w mm²; far below 0 for what is never hit
 };
 
-/// A box around the pieces below a node of the tree, mm, wider than they by what rounding may do.
+/// Boxes stand around the middle of the moved scene, in a unit that makes the furthest corner some
+/// ten thousand, so that half floats hold them: within a two-thousandth of how far off they are.
+struct RayUnits {
+  vec4 middleUnit;  // xyz mm; w: unit, mm
+  vec4 pieces;      // x: pieces a surfel
+};
+
+/// A box around the pieces below a node of the tree, wider than they by what rounding may do.
 struct RayBox {
-  vec4 lowLink;     // w: the node's link (shared/surfels.h), as bits
-  vec4 highPieces;  // w: pieces a surfel
+  uvec4 sidesLink;  // xyz: its low side and its high one, half floats; w: the node's link
+                    // (shared/surfels.h)
 };
 
 #ifdef __cplusplus
