@@ -27,8 +27,9 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
   // As measured on an H200. Every device has 128.
   const std::uint32_t large = limits.maxComputeWorkGroupInvocations >= 256 ? 256 : 128;
   WorkGroups groups;
-  groups.invocationsOfLongWork = groups.invocationsOfRays = groups.invocationsOfTile = large;
-  groups.lanes = 8;
+  groups.invocationsOfLongWork = groups.invocationsOfRays = large;
+  groups.invocationsOfTile = 128;
+  groups.lanes = 32;
   groups.drawTriangles = true;
   return groups;
 }

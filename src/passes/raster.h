@@ -17,11 +17,10 @@ struct RasterBands {
 
 inline RasterBands rasterBands(std::uint32_t triangles, std::uint32_t rows) {
   constexpr std::uint32_t mostGroups = 32768;  // every device dispatches that many along an axis
-  constexpr std::uint32_t groupsWanted = 4096;
-  constexpr std::uint32_t leastBands = 4;
+  constexpr std::uint32_t groupsWanted = 2048;
+  constexpr std::uint32_t leastBands = 2;
   constexpr std::uint32_t mostBands = 256;
-  const std::uint32_t groups =
-      std::clamp((triangles + groupSize - 1) / groupSize, 1U, mostGroups);
+  const std::uint32_t groups = std::clamp((triangles + groupSize - 1) / groupSize, 1U, mostGroups);
   const std::uint32_t wanted = std::clamp(groupsWanted / groups, leastBands, mostBands);
   const std::uint32_t rowsOfBand = std::max((rows + wanted - 1) / wanted, 1U);
   return {.groups = groups, .count = (rows + rowsOfBand - 1) / rowsOfBand, .rows = rowsOfBand};

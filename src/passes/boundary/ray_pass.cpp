@@ -111,9 +111,8 @@ void RayPass::recordPieces(gpu::CommandList& commands, DeformedMesh& mesh, Surfe
 void RayPass::recordNodes(gpu::CommandList& commands, Surfels& surfels,
                           RayHierarchy& hierarchy) const {
   fitInnerNodes(commands, surfels.tree, [&](std::uint32_t first, std::uint32_t count) {
-    commands.bind(
-        nodes_, {.treeletOrder = treeletOrder(surfels.tree), .boxes = hierarchy.boxes},
-        {.firstTreelet = first, .treeletCount = count});
+    commands.bind(nodes_, {.treeletOrder = treeletOrder(surfels.tree), .boxes = hierarchy.boxes},
+                  {.firstTreelet = first, .treeletCount = count});
   });
 }
 

@@ -62,10 +62,12 @@ void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& fram
   for (std::uint32_t first = 0; first < frame.shadowViews; first += maps.viewsDrawn) {
     const std::uint32_t views = std::min(maps.viewsDrawn, frame.shadowViews - first);
     commands.fill({maps.drawn}, 0);
-    commands.bind(
-        depths_,
-        {.frame = frame.data, .indices = mesh.indices, .positions = mesh.positions, .depths = maps.drawn},
-        {.triangleCount = triangles, .firstView = first, .rowsOfBand = bands.rows});
+    commands.bind(depths_,
+                  {.frame = frame.data,
+                   .indices = mesh.indices,
+                   .positions = mesh.positions,
+                   .depths = maps.drawn},
+                  {.triangleCount = triangles, .firstView = first, .rowsOfBand = bands.rows});
     commands.dispatch(bands.groups, bands.count, views);
     for (std::uint32_t view = 0; view < views; ++view)
       commands.copyToImage(maps.drawn, maps.depth, first + view, 0, view * bytesOfMap(size));

@@ -120,9 +120,10 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   if (byInvocations) {
     const auto ofSamples = [&](const char* name) {
       return gpu::Buffer(
-          device, {.name = name,
-                   .bytes = std::size_t{extent.width} * extent.height * samples * sizeof(std::uint32_t),
-                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+          device,
+          {.name = name,
+           .bytes = std::size_t{extent.width} * extent.height * samples * sizeof(std::uint32_t),
+           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
     };
     made.nearest = ofSamples("nearest triangles of samples");
     made.nearestDepth = ofSamples("depth of samples");
@@ -270,7 +271,7 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, con
 
 // Binds what lists pixels of several triangles.
 void SurfacePass::bindSeen(gpu::CommandList& commands, const SeenSurfaces& seen,
-                            std::uint32_t firstRow, std::uint32_t samples) const {
+                           std::uint32_t firstRow, std::uint32_t samples) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   if (surfaces.drawnAtOnce && surfaces.nearest)
     commands.bind(seenNearest_,

@@ -2,6 +2,8 @@
 // as numbers of which the largest is the nearest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
 #include "lib/frame.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Indices { uint indices[]; };

@@ -1,16 +1,18 @@
 // Triangles drawn by invocations: some GPUs have little hardware that draws. A work group has 64 triangles after the other
-// and some rows of the picture. Each of its invocations draws a small triangle; a large one all of them draw together.
+// and some rows of the picture. Its invocations share the pixels that these may cover, so that large triangles and small
+// ones keep all of them busy.
 //
 // A sample is in a triangle where it is on the inner side of all edges, in homogeneous coordinates, so that nothing needs
 // to be clipped (Olano and Greer 1997). Triangles that share an edge have the same number for it with opposite signs, bit
 // by bit, and where that is 0 one of them has the sample: there are no holes.
 //
-// Needs, before it, what `indices` and `positions` are; after it, where a pixel has its samples, from its centre, pixels,
+// Needs, before it, subgroup arithmetic and what `indices` and `positions` are; after it, where a pixel has its samples, from its centre, pixels,
 // and what becomes of one that a triangle may be seen at:
 //   vec2 sampleAt(uint which)
 //   void meet(uint triangle, ivec2 pixel, uint which, float depth)
 #ifndef OPALINE_LIB_RASTER
 #define OPALINE_LIB_RASTER
+#include "lib/group_place.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -110,45 +112,48 @@ float depthAt(Corners its, vec2 place) {
   return turned * w > 0.0 && depth > 0.0 && depth <= 1.0 ? depth : 0.0;
 }
 
-// Every `stride`-th pixel of the box from the `start`-th on.
-void drawPixels(uint triangle, Corners its, PixelBox box, Picture picture, uint start, uint stride) {
-  uint width = uint(box.high.x - box.low.x);
-  uint count = uint(pixelsIn(box));
-  for (uint i = start; i < count; i += stride) {
-    ivec2 pixel = box.low + ivec2(i % width, i / width);
-    for (uint s = 0u; s < picture.samples; ++s) {
-      float depth = depthAt(its, 2.0 * (vec2(pixel) + 0.5 + sampleAt(s)) / vec2(picture.size) - 1.0);
-      if (depth > 0.0) meet(triangle, pixel, s, depth);
-    }
-  }
+// Of the triangles that the group has at a time: their corners, where they may be seen, and how many pixels those before
+// them may cover.
+shared Corners corners[gl_WorkGroupSize.x];
+shared PixelBox boxes[gl_WorkGroupSize.x];
+shared uint firsts[gl_WorkGroupSize.x];
+
+// The last triangle that begins at that pixel of all or before it.
+uint triangleOfPixel(uint pixel) {
+  uint found = 0u;
+  for (uint step = gl_WorkGroupSize.x / 2u; step > 0u; step /= 2u)
+    if (firsts[found + step] <= pixel) found += step;
+  return found;
 }
 
-// Pixels that an invocation draws alone.
-const int mostAlone = 32;
-
-shared uint large[gl_WorkGroupSize.x];  // triangles
-shared uint largeCount;
+void drawPixel(uint triangle, Corners its, ivec2 pixel, Picture picture) {
+  for (uint s = 0u; s < picture.samples; ++s) {
+    float depth = depthAt(its, 2.0 * (vec2(pixel) + 0.5 + sampleAt(s)) / vec2(picture.size) - 1.0);
+    if (depth > 0.0) meet(triangle, pixel, s, depth);
+  }
+}
 
 void drawTriangles(uint triangleCount, mat4 toClip, Picture picture) {
   int firstRow = int(gl_WorkGroupID.y * picture.rows);
   int endRow = min(firstRow + int(picture.rows), picture.size.y);
   uint all = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
   for (uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x; first < triangleCount; first += all) {
-    if (gl_LocalInvocationIndex == 0u) largeCount = 0u;
-    barrier();
-    uint triangle = first + gl_LocalInvocationIndex;
-    if (triangle < triangleCount) {
-      Corners its = cornersOf(toClip, triangle);
-      PixelBox box = boxOf(its, picture.size, firstRow, endRow);
-      if (pixelsIn(box) <= mostAlone)
-        drawPixels(triangle, its, box, picture, 0u, 1u);
-      else
-        large[atomicAdd(largeCount, 1u)] = triangle;
+    uint i = gl_LocalInvocationIndex;
+    uint count = 0u;
+    if (first + i < triangleCount) {
+      corners[i] = cornersOf(toClip, first + i);
+      boxes[i] = boxOf(corners[i], picture.size, firstRow, endRow);
+      count = uint(pixelsIn(boxes[i]));
     }
+    uint pixels;
+    firsts[i] = groupPlaceFor(count, pixels);
     barrier();
-    for (uint i = 0u; i < largeCount; ++i) {
-      Corners its = cornersOf(toClip, large[i]);
-      drawPixels(large[i], its, boxOf(its, picture.size, firstRow, endRow), picture, gl_LocalInvocationIndex, gl_WorkGroupSize.x);
+    for (uint k = i; k < pixels; k += gl_WorkGroupSize.x) {
+      uint triangle = triangleOfPixel(k);
+      PixelBox box = boxes[triangle];
+      uint width = uint(box.high.x - box.low.x);
+      uint within = k - firsts[triangle];
+      drawPixel(first + triangle, corners[triangle], box.low + ivec2(within % width, within / width), picture);
     }
     barrier();
   }

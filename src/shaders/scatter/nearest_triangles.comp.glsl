@@ -3,6 +3,8 @@
 // those it is that are as near, the first of them. 0 where there is none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
 #include "lib/frame.glsl"
 #include "lib/sample_words.glsl"
 
