@@ -39,9 +39,11 @@ void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
   dispatchGroups((count + sizeOfGroup - 1) / sizeOfGroup, rounds);
 }
 
+// The lanes of a thing share its rounds.
 void CommandList::dispatchLanes(std::uint32_t count, std::uint32_t rounds) {
-  const std::uint32_t things = sizeOfGroup / device_.workGroups().lanes;
-  dispatchGroups((count + things - 1) / things, rounds);
+  const std::uint32_t lanes = device_.workGroups().lanes;
+  const std::uint32_t things = sizeOfGroup / lanes;
+  dispatchGroups((count + things - 1) / things, (rounds - 1) / lanes + 1);
 }
 
 void CommandList::dispatchGroups(std::uint32_t groups, std::uint32_t rounds) {

@@ -13,7 +13,8 @@ namespace opaline::gpu {
 
 const char* const noDeviceMessage =
     "no Vulkan device was found; install a Vulkan driver (Mesa's software device will do: package "
-    "mesa-vulkan-drivers)";
+    "mesa-vulkan-drivers), or set VK_LOADER_DEBUG=error to see why one that is installed does not "
+    "start";
 
 namespace {
 
@@ -46,6 +47,43 @@ VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT 
   static_cast<Instance*>(instance)->report(severity, data->pMessage);
   return VK_FALSE;
 }
+
+VkApplicationInfo applicationInfo() {
+  VkApplicationInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+  info.pApplicationName = "Opaline";
+  info.pEngineName = "Opaline";
+  info.apiVersion = VK_API_VERSION_1_3;
+  return info;
+}
+
+VkInstance start(const VkInstanceCreateInfo& info) {
+  VkInstance instance = VK_NULL_HANDLE;
+  const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw Error(noDeviceMessage);
+  check(result, "start");
+  return instance;
+}
+
+// With the last instance the loader closes the drivers, and with the next it opens them again. A
+// process can do that only so often: with NVIDIA's 580 the 32nd instance found no device. So one
+// stays until the process ends. What drivers do then was arranged before, so comes after it.
+class KeptInstance {
+ public:
+  KeptInstance() {
+    const VkApplicationInfo application = applicationInfo();
+    VkInstanceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    info.pApplicationInfo = &application;
+    instance_ = start(info);
+  }
+  ~KeptInstance() { vkDestroyInstance(instance_, nullptr); }
+  KeptInstance(const KeptInstance&) = delete;
+  KeptInstance& operator=(const KeptInstance&) = delete;
+
+ private:
+  VkInstance instance_ = VK_NULL_HANDLE;
+};
 
 VkDebugUtilsMessengerCreateInfoEXT messengerInfo(Instance* instance) {
   VkDebugUtilsMessengerCreateInfoEXT info{};
@@ -91,12 +129,7 @@ void Instance::create(bool validation, const std::vector<std::string>& wanted) {
       hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
       (validation && hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer));
 
-  VkApplicationInfo application{};
-  application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-  application.pApplicationName = "Opaline";
-  application.pEngineName = "Opaline";
-  application.apiVersion = VK_API_VERSION_1_3;
-
+  const VkApplicationInfo application = applicationInfo();
   std::vector<const char*> extensions;
   if (debugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   for (const std::string& name : wanted) extensions.push_back(name.c_str());
@@ -109,9 +142,8 @@ void Instance::create(bool validation, const std::vector<std::string>& wanted) {
   info.ppEnabledLayerNames = &validationLayer;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
-  const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
-  if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw Error(noDeviceMessage);
-  check(result, "start");
+  static const KeptInstance kept;
+  instance_ = start(info);
 }
 
 Instance::~Instance() {

@@ -1,6 +1,8 @@
 """A program that may take little memory renders or says so; it never crashes."""
 
+import os
 import resource
+import signal
 import unittest
 
 from program import ProgramTest
@@ -40,6 +42,12 @@ class Memory(ProgramTest):
         self.assertEqual(self.listing(), [])
         self.succeed(*STILL, "--memory-limit", 4000)
         self.refused(2, *STILL, "--memory-limit", 3, says=("memory-limit", "from 64"))
+
+    def test_errors_keep_their_status_whatever_drivers_do_at_the_end(self):
+        crashing = os.environ | {"LD_PRELOAD": os.environ["CRASHING_END"]}
+        self.assertEqual(self.run_program("--version", env=crashing).status, -signal.SIGSEGV)
+        self.refused(1, *STILL, "--memory-limit", 100, says="MB", env=crashing)
+        self.refused(2, "render", "--size", "wide", says="size", env=crashing)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "opaline/renderer.h"
+
 namespace opaline::test {
 
 namespace {
@@ -30,6 +32,8 @@ FaultLayer::FaultLayer() {
   find(library, "opalineFaultedFunction", faulted_);
   find(library, "opalineLivingObjects", living_);
   find(library, "opalineDescribeLivingObjects", describe_);
+  listDevices();
+  kept_ = living_();
 }
 
 std::string FaultLayer::faulted() const {

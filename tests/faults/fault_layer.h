@@ -26,8 +26,9 @@ class FaultLayer {
   void claimTexels(std::uint32_t most) { claimTexels_(most); }
   /// The function that failed since then; empty if none has.
   std::string faulted() const;
-  /// Objects that were created and not destroyed.
-  std::int64_t living() const { return living_(); }
+  /// Objects that were created and not destroyed, beside the instance that is kept until the
+  /// process ends.
+  std::int64_t living() const { return living_() - kept_; }
   std::string describeLiving() const { return describe_(); }
 
  private:
@@ -39,6 +40,7 @@ class FaultLayer {
   const char* (*faulted_)() = nullptr;
   std::int64_t (*living_)() = nullptr;
   const char* (*describe_)() = nullptr;
+  std::int64_t kept_ = 0;
 };
 
 FaultLayer& faultLayer();

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
+#include <link.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -130,6 +132,31 @@ TEST_F(DeviceTest, OpensByIndexAndByName) {
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   EXPECT_EQ(Device({upper, false, {}}).info().name, mine.name);
   EXPECT_THROW(Device({"no such device", false, {}}), UsageError);
+}
+
+std::vector<std::string> loadedLibraries() {
+  std::vector<std::string> names;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* list) {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(info->dlpi_name);
+        return 0;
+      },
+      &names);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void exitWithZeroIfADriverStaysOpen() {
+  { const Device first; }
+  const std::vector<std::string> closed = loadedLibraries();
+  const Device second;
+  std::exit(loadedLibraries() == closed ? 0 : 2);
+}
+
+// A process can open some only so often. In one of its own, for devices of other tests are open.
+TEST(DriversDeathTest, AreNotClosedWithADevice) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(exitWithZeroIfADriverStaysOpen(), testing::ExitedWithCode(0), "^$");
 }
 
 TEST_F(DeviceTest, CountsMemory) {

@@ -25,7 +25,8 @@ void exitWithZeroIfThereIsNoDevice() {
     const bool clear =
         std::string(error.what()) ==
         "no Vulkan device was found; install a Vulkan driver (Mesa's software device will do: "
-        "package mesa-vulkan-drivers)";
+        "package mesa-vulkan-drivers), or set VK_LOADER_DEBUG=error to see why one that is "
+        "installed does not start";
     std::exit(clear ? 0 : 4);
   }
   std::exit(5);

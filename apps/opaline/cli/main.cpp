@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -67,9 +68,18 @@ void dispatch(const Arguments& arguments) {
                                         suggestion(name, names)));
 }
 
+// After an error, all of ours is closed and written. What libraries do when a program ends is left
+// out: a driver that could not start may crash there. Only a search for leaks waits for that.
+int end(int status) {
+#ifndef __SANITIZE_ADDRESS__
+  std::_Exit(status);
+#endif
+  return status;
+}
+
 int fail(const char* sentence, int status) {
   printError(sentence);
-  return status;
+  return end(status);
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ int main(int count, char** values) {
     dispatch({values + (count > 0 ? 1 : 0), values + count});
     return 0;
   } catch (const ReaderLeft&) {
-    return 1;
+    return end(1);
   } catch (const opaline::UsageError& error) {
     return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -254,7 +255,7 @@ VKAPI_ATTR VkResult VKAPI_CALL listExtensions(VkPhysicalDevice physical, const c
   return result;
 }
 
-bool claimsHardware = false;
+bool claimsHardware = std::getenv("OPALINE_CLAIM_HARDWARE") != nullptr;
 std::uint32_t claimedTexels = 0;
 
 void claim(VkPhysicalDeviceProperties& properties) {

@@ -8,6 +8,7 @@
 ///   VK_INSTANCE_LAYERS=VK_LAYER_OPALINE_faults  VK_ADD_LAYER_PATH=<folder of the layer>
 ///   OPALINE_FAULT=<VkResult as a number>:<n>[:<function>], counted from 1
 ///   OPALINE_FAULT_REPORT=<file>, which gets a line at the end of the process
+///   OPALINE_CLAIM_HARDWARE=1, for opalineClaimHardware(true) from the start
 ///
 /// After VK_ERROR_DEVICE_LOST, every later call fails so that may. All devices of a process must
 /// have the same driver.
