@@ -79,25 +79,36 @@ std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options,
   return result.images.at(0).rgba;
 }
 
-/// Root mean square difference from what the device makes without claims, over the largest.
+/// Where a side of a triangle passes a sample so closely, another triangle is seen: the software
+/// device puts corners on a grid of 256 places a pixel, and invocations that draw do not.
+constexpr std::size_t pixelsOfSides = 2;  // of a thousand
+constexpr double mostAtSides = 0.01;      // of the largest value
+
+/// Root mean square difference from what the device makes without claims, over the largest, in all
+/// pixels but those.
 double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
   const std::vector<float> own = pictureOf(scene, options, {});
   const std::vector<float> claimed = pictureOf(scene, options, claims);
   EXPECT_EQ(own.size(), claimed.size());
-  const float largest = *std::max_element(own.begin(), own.end());
-  EXPECT_GT(largest, 0.01F);
-  double squares = 0;
+  const auto largest = static_cast<double>(*std::max_element(own.begin(), own.end()));
+  EXPECT_GT(largest, 0.01);
+  std::vector<double> squares(own.size() / 4);  // of pixels
   for (std::size_t i = 0; i < own.size(); ++i) {
     const double off = static_cast<double>(claimed.at(i)) - static_cast<double>(own[i]);
-    squares += off * off;
+    squares[i / 4] += off * off / (largest * largest);
   }
-  return std::sqrt(squares / static_cast<double>(own.size())) / static_cast<double>(largest);
+  std::sort(squares.rbegin(), squares.rend());
+  EXPECT_LT(std::sqrt(squares.at(0)), mostAtSides);
+  double sum = 0;
+  for (std::size_t i = claims.hardware ? pixelsOfSides : 0; i < squares.size(); ++i)
+    sum += squares[i];
+  return std::sqrt(sum / static_cast<double>(own.size()));
 }
 
 TEST_F(Hardware, MakesTheSamePictureOfLightThatIsFollowedOn) {
   Medium dark = skin();
   dark.g = 0.8;
-  EXPECT_LT(difference(twoBalls(dark), smallOptions(), {.hardware = true}), 2e-5);
+  EXPECT_LT(difference(twoBalls(dark), smallOptions(), {.hardware = true}), 2e-6);
 }
 
 TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
@@ -105,7 +116,7 @@ TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
   options.transport = Transport::Dipole;
   for (const Site site : {Site::Vertex, Site::Fragment}) {
     options.site = site;
-    EXPECT_LT(difference(twoBalls(marble()), options, {.hardware = true}), 2e-5);
+    EXPECT_LT(difference(twoBalls(marble()), options, {.hardware = true}), 2e-6);
   }
 }
 
