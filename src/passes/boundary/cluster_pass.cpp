@@ -322,6 +322,10 @@ void ClusterPass::recordShape(gpu::CommandList& commands, const ShapeInputs& inp
   fitNodes(commands, clusters);
   enclose(commands, inputs, clusters);
   commands.endPass();
+}
+
+void ClusterPass::recordSurvey(gpu::CommandList& commands, const ShapeInputs& inputs,
+                               Clusters& clusters) const {
   commands.beginPass("rays");
   survey(commands, inputs, clusters);
   commands.endPass();

@@ -48,8 +48,11 @@ class ClusterPass {
     float openingAngle;  ///< of nodes: taken from further than their radius over this
     bool looksAround;    ///< else each sees all of the sky and nothing else
   };
-  /// Where they lie, what acts on which, how thick the body is and what of the scene they see.
+  /// Where they lie, and what acts on which.
   void recordShape(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
+  /// How thick the body is, and what of the scene they see.
+  void recordSurvey(gpu::CommandList& commands, const ShapeInputs& inputs,
+                    Clusters& clusters) const;
 
   struct EntryInputs {
     FrameView& frame;

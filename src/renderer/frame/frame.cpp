@@ -74,18 +74,19 @@ struct FrameContext {
 
   passes::CutOuts cutOuts(SceneResources& scene) const { return {resources.tables, scene.opaque}; }
 
-  // All that does not ask for light.
-  void findShape(SceneMotion& motion, SceneResources& scene) const {
-    motion.record(commands, passes.deform, plan.time, mesh);
+  // All that does not ask for light. Rays from clusters come last: they keep few of a GPU's
+  // processors busy, and what follows does not wait for them.
+  void findShape(SceneResources& scene) const {
     if (sendsRays(plan)) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    if (usesClusters(plan))
-      passes.clusters.recordShape(commands,
-                                  {mesh, resources.tables, resources.sky, scene.surfels, scene.rays,
-                                   openingAngleOf(plan.tolerance), looksAround(plan)},
-                                  scene.clusters);
+    if (!usesClusters(plan)) return;
+    const passes::ClusterPass::ShapeInputs inputs{
+        mesh,       resources.tables,               resources.sky,    scene.surfels,
+        scene.rays, openingAngleOf(plan.tolerance), looksAround(plan)};
+    passes.clusters.recordShape(commands, inputs, scene.clusters);
     if (solves(plan) && keepsCoefficients(scene))
       passes.solver.recordCoefficients(commands, openingAngleOf(plan.tolerance), resources.tables,
                                        scene.clusters, scene.solver);
+    passes.clusters.recordSurvey(commands, inputs, scene.clusters);
   }
 
   void gather(SceneResources& scene) const {
@@ -241,18 +242,26 @@ struct FrameContext {
       passes.nearby.overPlaces(commands, how.transport, how.site, nearbyInputs(scene), places);
   }
 
-  // Everything where the site is the vertices; else what is always summed there.
-  void scatterAtVertices(SceneResources& scene) const {
+  passes::Places placesOfVertices(SceneResources& scene) const {
+    return passes::verticesOf(mesh, scene.surfels, resources.exitance);
+  }
+
+  // The half-space, everything where the site is the vertices; else what is always summed there.
+  void sumAtVertices(SceneResources& scene) const {
     if (plan.sum == Sum::Pattern) {
       using Part = paper::Technique::VertexPart;
       return passes.paper->scatterAtVertices(
           commands, scatterTransport(plan.transport),
           plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, onPaper(scene));
     }
-    const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
-    const passes::SurfelSumPass::Order how = order(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
-      sumOver(vertices, plan.sum, how, scene);
+      sumOver(placesOfVertices(scene), plan.sum, order(scene), scene);
+  }
+
+  // What that sum has not.
+  void carryToVertices(SceneResources& scene) const {
+    if (plan.sum == Sum::Pattern) return;
+    const passes::Places vertices = placesOfVertices(scene);
     if (carriesOpaque(plan)) {
       passes.opaque.overVertices(commands, ofOpaque(), site(), vertices);
       if (plan.areaLights > 0 && plan.site != Site::Fragment)
@@ -436,15 +445,17 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   assert(plan.light || !plan.shape);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.changeMaterials(scene);
-  if (plan.shape) context.findShape(motion, scene);
+  if (plan.shape) motion.record(commands, passes.deform, plan.time, scene.mesh);
   context.fit(upload);
+  if (plan.shape) context.findShape(scene);
   if (plan.light) context.gather(scene);
   if (plan.light && plan.scatter) {
+    context.sumAtVertices(scene);
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
     else if (carriesOpaque(plan))
       context.giveBack(passes::OpaquePass::From::Lights, scene);
-    context.scatterAtVertices(scene);
+    context.carryToVertices(scene);
   }
 
   // What the picture's pixels see stays, for whoever composes it with something else.
