@@ -33,7 +33,8 @@ class Specialization {
     const auto count = static_cast<std::uint32_t>(values.size() / 4);
     for (std::uint32_t i = 0; i < count; ++i) entries_.push_back({i, i * 4, 4});
     const std::array groups{device.workGroups().invocations,
-                            device.workGroups().invocationsOfLongWork, device.workGroups().lanes,
+                            device.workGroups().invocationsOfLongWork,
+                            device.workGroups().lanes,
                             device.workGroups().invocationsOfRays,
                             device.workGroups().invocationsOfTile,
                             device.workGroups().sharersOfWalk};

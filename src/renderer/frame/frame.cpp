@@ -79,9 +79,13 @@ struct FrameContext {
   void findShape(SceneResources& scene) const {
     if (sendsRays(plan)) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     if (!usesClusters(plan)) return;
-    const passes::ClusterPass::ShapeInputs inputs{
-        mesh,       resources.tables,               resources.sky,    scene.surfels,
-        scene.rays, openingAngleOf(plan.tolerance), looksAround(plan)};
+    const passes::ClusterPass::ShapeInputs inputs{mesh,
+                                                  resources.tables,
+                                                  resources.sky,
+                                                  scene.surfels,
+                                                  scene.rays,
+                                                  openingAngleOf(plan.tolerance),
+                                                  looksAround(plan)};
     passes.clusters.recordShape(commands, inputs, scene.clusters);
     if (solves(plan) && keepsCoefficients(scene))
       passes.solver.recordCoefficients(commands, openingAngleOf(plan.tolerance), resources.tables,
