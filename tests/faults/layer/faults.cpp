@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,10 @@ using namespace opaline::faults;
 
 PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
-PFN_vkDestroyInstance nextDestroyInstance = nullptr;  // asked for early: later the loader answers
-PFN_vkDestroyDevice nextDestroyDevice = nullptr;      // with the first of all layers
+// Asked for early: later the loader answers with the first of all layers. Instances differ in what
+// layers they have.
+std::map<VkInstance, PFN_vkDestroyInstance> nextDestroyInstance;
+PFN_vkDestroyDevice nextDestroyDevice = nullptr;
 PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
 PFN_vkGetPhysicalDeviceProperties2 nextGetProperties2 = nullptr;
 std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the last
@@ -195,7 +198,7 @@ VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info,
   const VkResult result = create(info, allocator, instance);
   if (result < 0) return result;
   ++state().living("VkInstance");
-  nextDestroyInstance =
+  nextDestroyInstance[*instance] =
       reinterpret_cast<PFN_vkDestroyInstance>(nextOfInstance(*instance, "vkDestroyInstance"));
   nextGetProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
       nextOfInstance(*instance, "vkGetPhysicalDeviceProperties"));
@@ -207,8 +210,10 @@ VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info,
 
 VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance,
                                            const VkAllocationCallbacks* allocator) {
-  nextDestroyInstance(instance, allocator);
-  if (instance != VK_NULL_HANDLE) --state().living("VkInstance");
+  const auto next = nextDestroyInstance.extract(instance);
+  if (next.empty()) return;
+  next.mapped()(instance, allocator);
+  --state().living("VkInstance");
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL makeDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
