@@ -58,19 +58,22 @@ std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options,
   return result.images.at(0).rgba;
 }
 
-/// Root mean square difference from what the device makes without claims, over the largest.
-double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
-  const std::vector<float> own = pictureOf(scene, options, {});
-  const std::vector<float> claimed = pictureOf(scene, options, claims);
-  EXPECT_EQ(own.size(), claimed.size());
-  const float largest = *std::max_element(own.begin(), own.end());
+/// Root mean square difference over the largest of the first.
+double difference(const std::vector<float>& one, const std::vector<float>& other) {
+  EXPECT_EQ(one.size(), other.size());
+  const float largest = *std::max_element(one.begin(), one.end());
   EXPECT_GT(largest, 0.01F);
   double squares = 0;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const double off = static_cast<double>(claimed.at(i)) - static_cast<double>(own[i]);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double off = static_cast<double>(other.at(i)) - static_cast<double>(one[i]);
     squares += off * off;
   }
-  return std::sqrt(squares / static_cast<double>(own.size())) / static_cast<double>(largest);
+  return std::sqrt(squares / static_cast<double>(one.size())) / static_cast<double>(largest);
+}
+
+/// From what the device makes without claims.
+double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
+  return difference(pictureOf(scene, options, {}), pictureOf(scene, options, claims));
 }
 
 TEST(Hardware, MakesTheSamePictureOfLightThatIsFollowedOn) {
@@ -88,16 +91,37 @@ TEST(Hardware, MakesTheSamePictureOfAHalfSpace) {
   }
 }
 
-// Buffers that hold the coefficients of some nodes and not of others, which are found anew in each
-// step. Those that are kept are rounded.
-TEST(Hardware, OfSmallBuffersMakesTheSamePicture) {
+RenderOptions optionsOfManyClusters() {
   RenderOptions options = smallOptions();
   options.maxClusters = 512;
   options.maxSurfels = 2048;
   options.tolerance = 0.002F;
-  const double off = difference(twoBalls(marble()), options, {.texels = 80000});
-  EXPECT_GT(off, 0);
-  EXPECT_LT(off, 3e-4);
+  return options;
+}
+
+// Buffers that hold the coefficients of some nodes and not of others, which are found anew in each
+// step. Those that are kept are rounded. In skin so are those of light from everywhere: the sums of
+// the tiles that come last, and the ends of others, are found anew.
+TEST(Hardware, OfSmallBuffersMakesTheSamePicture) {
+  for (const Medium& medium : {marble(), skin()}) {
+    const double off = difference(twoBalls(medium), optionsOfManyClusters(), {.texels = 80000});
+    EXPECT_GT(off, 0);
+    EXPECT_LT(off, 3e-4);
+  }
+}
+
+// The finest tolerance with coefficients that are kept, and the next finer one.
+TEST(Hardware, KeepsCoefficientsThatAreRight) {
+  Medium forwards = skin();
+  forwards.g = 0.8;
+  for (const Medium& medium : {skin(), forwards}) {
+    RenderOptions exact = optionsOfManyClusters();
+    exact.tolerance = std::nextafter(exact.tolerance, 0.0F);
+    const std::vector<float> kept = pictureOf(twoBalls(medium), optionsOfManyClusters(), {});
+    const double off = difference(kept, pictureOf(twoBalls(medium), exact, {}));
+    EXPECT_GT(off, 0);
+    EXPECT_LT(off, 3e-4);
+  }
 }
 
 }  // namespace
