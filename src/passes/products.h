@@ -251,12 +251,16 @@ struct Clusters {
   gpu::Buffer peaks;      ///< largest power of those, a float's bits, at the first of the lights
   gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
   gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;  ///< shared::BeamNode, two trees a light
+  gpu::Buffer beamNodes;  ///< shared::BeamNode, of the trees of lib/beam_trees.glsl
   std::uint32_t mostNodesOfBody = 0;  ///< of the tree
   std::uint32_t roomOfBeamList = 0;
-  gpu::Buffer beamLists;      ///< of each tree and group: how many nodes, and which
-  gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end
-  gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
+  gpu::Buffer beamLists;         ///< of each tree and group: how many nodes, and which
+  gpu::Buffer beamCoefficients;  ///< none before a frame solves; shared::texelsOfPoints an entry
+                                 ///< of what is kept of lists, of what comes from everywhere
+  gpu::Buffer keptBeams;         ///< that: see shared::countsOfKept
+  std::uint32_t roomOfKept = 0;  ///< of entries, of all tiles and kinds
+  gpu::Buffer sources;           ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer skyShares;         ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last
   gpu::Buffer enteredBefore;  ///< the same of light before that, where it is mirrored to one side
   gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one, then what

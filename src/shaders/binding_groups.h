@@ -40,4 +40,18 @@ struct TreeletOrder {
   gpu::Read levelOfTreelet;
 };
 
+/// What lib/beam_tile.glsl needs.
+struct BeamTile {
+  gpu::Read objects;
+  gpu::Read media;
+  gpu::Texels points;
+  gpu::Texels strengths;
+  gpu::Texels beamNodes;
+  gpu::Read tiles;
+  gpu::Texels clusterTexels;
+  gpu::Read clusters;
+  gpu::Read lists;
+  gpu::Read objectOfNode;
+};
+
 }  // namespace opaline::shaders

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -84,25 +85,28 @@ std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options,
 constexpr std::size_t pixelsOfSides = 2;  // of a thousand
 constexpr double mostAtSides = 0.01;      // of the largest value
 
-/// Root mean square difference from what the device makes without claims, over the largest, in all
-/// pixels but those.
-double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
-  const std::vector<float> own = pictureOf(scene, options, {});
-  const std::vector<float> claimed = pictureOf(scene, options, claims);
-  EXPECT_EQ(own.size(), claimed.size());
-  const auto largest = static_cast<double>(*std::max_element(own.begin(), own.end()));
+/// Root mean square difference over the largest of the first, of all pixels but the `without` that
+/// differ most.
+double difference(const std::vector<float>& one, const std::vector<float>& other,
+                  std::size_t without = 0) {
+  EXPECT_EQ(one.size(), other.size());
+  const auto largest = static_cast<double>(*std::max_element(one.begin(), one.end()));
   EXPECT_GT(largest, 0.01);
-  std::vector<double> squares(own.size() / 4);  // of pixels
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const double off = static_cast<double>(claimed.at(i)) - static_cast<double>(own[i]);
+  std::vector<double> squares(one.size() / 4);  // of pixels
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double off = static_cast<double>(other.at(i)) - static_cast<double>(one[i]);
     squares[i / 4] += off * off / (largest * largest);
   }
   std::sort(squares.rbegin(), squares.rend());
   EXPECT_LT(std::sqrt(squares.at(0)), mostAtSides);
-  double sum = 0;
-  for (std::size_t i = claims.hardware ? pixelsOfSides : 0; i < squares.size(); ++i)
-    sum += squares[i];
-  return std::sqrt(sum / static_cast<double>(own.size()));
+  const auto rest = squares.begin() + static_cast<std::ptrdiff_t>(without);
+  return std::sqrt(std::accumulate(rest, squares.end(), 0.0) / static_cast<double>(one.size()));
+}
+
+/// From what the device makes without claims.
+double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
+  return difference(pictureOf(scene, options, {}), pictureOf(scene, options, claims),
+                    claims.hardware ? pixelsOfSides : 0);
 }
 
 TEST_F(Hardware, MakesTheSamePictureOfLightThatIsFollowedOn) {
@@ -120,16 +124,37 @@ TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
   }
 }
 
-// Buffers that hold the coefficients of some nodes and not of others, which are found anew in each
-// step. Those that are kept are rounded.
-TEST_F(Hardware, OfSmallBuffersMakesTheSamePicture) {
+RenderOptions optionsOfManyClusters() {
   RenderOptions options = smallOptions();
   options.maxClusters = 512;
   options.maxSurfels = 2048;
   options.tolerance = 0.002F;
-  const double off = difference(twoBalls(marble()), options, {.texels = 80000});
-  EXPECT_GT(off, 0);
-  EXPECT_LT(off, 3e-4);
+  return options;
+}
+
+// Buffers that hold the coefficients of some nodes and not of others, which are found anew in each
+// step. Those that are kept are rounded. In skin so are those of light from everywhere: the sums of
+// the tiles that come last, and the ends of others, are found anew.
+TEST_F(Hardware, OfSmallBuffersMakesTheSamePicture) {
+  for (const Medium& medium : {marble(), skin()}) {
+    const double off = difference(twoBalls(medium), optionsOfManyClusters(), {.texels = 80000});
+    EXPECT_GT(off, 0);
+    EXPECT_LT(off, 3e-4);
+  }
+}
+
+// The finest tolerance with coefficients that are kept, and the next finer one.
+TEST_F(Hardware, KeepsCoefficientsThatAreRight) {
+  Medium forwards = skin();
+  forwards.g = 0.8;
+  for (const Medium& medium : {skin(), forwards}) {
+    RenderOptions exact = optionsOfManyClusters();
+    exact.tolerance = std::nextafter(exact.tolerance, 0.0F);
+    const std::vector<float> kept = pictureOf(twoBalls(medium), optionsOfManyClusters(), {});
+    const double off = difference(kept, pictureOf(twoBalls(medium), exact, {}));
+    EXPECT_GT(off, 0);
+    EXPECT_LT(off, 3e-4);
+  }
 }
 
 }  // namespace

@@ -102,6 +102,21 @@ TEST_F(ShapeReuseTest, WhatALightDoesNotMoveIsKept) {
   }
 }
 
+// Of a medium whose light from everywhere is followed to its collisions, what it gives to clusters.
+TEST_F(ShapeReuseTest, WhatComesFromEverywhereIsKept) {
+  Scene scene = wobblyBall();
+  scene.objects[0].medium = skin();
+  scene.lighting.ambient = {0.3F, 0.4F, 0.5F};
+  renderer().setScene(scene);
+  View view(renderer(), optionsOf(methods[0]));
+  const Image before = view.render().images[0];
+  renderer().setLighting(turned(scene.lighting));
+  const Image kept = view.render({.reuseLight = true}).images[0];
+  EXPECT_FALSE(runs(view, "deform"));
+  EXPECT_NE(kept.rgba, before.rgba);
+  EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
+}
+
 // Views of one division have one shape.
 TEST_F(ShapeReuseTest, AnotherViewMayHaveFoundIt) {
   renderer().setScene(wobblyBall());

@@ -16,13 +16,46 @@ namespace {
 // A channel of a point of second collisions each.
 constexpr std::uint32_t pathsOfBeam = 3 * shared::maxSecondPoints;
 
-// For each light that of sources of fluence, and that of light that scatters once where some is
-// followed that far.
-std::uint32_t treesOf(const SceneTables& tables, const Beams& beams) {
-  return beams.lights * (tables.followsLight ? 2 : 1);
+// Of trees: of sources of fluence, and of light that scatters once where some is followed that far.
+std::uint32_t kindsOf(const SceneTables& tables) {
+  return tables.followsLight ? 2 : 1;
 }
 
 }  // namespace
+
+struct BeamPass::Spreading {
+  SceneTables& tables;
+  Clusters& clusters;
+  Beams& beams;
+  float openingAngle;
+  bool ofEverywhere;
+  std::uint32_t roomOfKept;  // of entries of lists of each kind
+
+  std::uint32_t kinds() const { return kindsOf(tables); }
+  // See lib/beam_trees.glsl.
+  Trees ofShape() const { return {0, kinds()}; }
+  Trees ofLights() const { return {kinds(), kinds() * beams.lights}; }
+  Trees all() const { return {0, kinds() * (1 + beams.lights)}; }
+  std::uint32_t firstTree(std::uint32_t kind) const { return kinds() + kind * beams.lights; }
+  std::uint32_t firstListed(std::uint32_t kind) const {
+    return ofEverywhere ? kind : firstTree(kind);
+  }
+  shaders::BeamTile tile() const {
+    return {.objects = tables.objects,
+            .media = tables.media,
+            .points = beams.points,
+            .strengths = beams.strengths,
+            .beamNodes = clusters.beamNodes,
+            .tiles = clusters.tiles,
+            .clusterTexels = clusters.clusters,
+            .clusters = clusters.clusters,
+            .lists = clusters.beamLists,
+            .objectOfNode = clusters.objectOfNode};
+  }
+  std::uint32_t rounds() const {
+    return beams.lights * shared::maxPoints * (clusters.roomOfBeamList / groupSize + 1);
+  }
+};
 
 Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool withPaint) {
   const auto make = [&](bool withLinings) -> gpu::Compute<shaders::BoundaryBeams> {
@@ -47,8 +80,29 @@ BeamPass::BeamPass(gpu::Device& device)
           {device, "light that scatters once", {.scattersEvenly = 0, .withSeveralMedia = 0}},
           {device, "light that scatters once", {.scattersEvenly = 0, .withSeveralMedia = 1}}},
       singleEven_(device, "light that scatters once", {.scattersEvenly = 1, .withSeveralMedia = 0}),
+      sourceCoefficients_{{device, "coefficients of fluence", {.withSeveralMedia = 0}},
+                          {device, "coefficients of fluence", {.withSeveralMedia = 1}}},
+      singleForwardCoefficients_{
+          {device, "coefficients of single", {.scattersEvenly = 0, .withSeveralMedia = 0}},
+          {device, "coefficients of single", {.scattersEvenly = 0, .withSeveralMedia = 1}}},
+      singleEvenCoefficients_(device, "coefficients of single",
+                              {.scattersEvenly = 1, .withSeveralMedia = 0}),
       reentry_{{device, "light that enters again", {.withPaint = 0}},
                {device, "light that enters again", {.withPaint = 1}}} {}
+
+void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
+  constexpr std::size_t mostBytesOfAll = std::size_t{64} << 20U;
+  const std::size_t tiles = std::size_t{shared::kindsOfBeams} * clusters.tileCount;
+  const std::size_t ofEntry = shared::texelsOfPoints * sizeof(shared::vec4);
+  const std::size_t bytes =
+      clusters.haveLinings ? 0 : std::min(mostBytesOfAll, mostBytes(device.limits()));
+  const std::size_t room = std::min(bytes / ofEntry, tiles * clusters.tree.nodeCount);
+  clusters.roomOfKept = static_cast<std::uint32_t>(room);
+  clusters.beamCoefficients = makeRoom<shared::vec4>(device, "coefficients of points of light",
+                                                     room * shared::texelsOfPoints);
+  clusters.keptBeams = makeRoom<std::uint32_t>(device, "kept lists of points of light",
+                                               tiles * shared::countsOfKept + 2 * room);
+}
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
@@ -61,7 +115,7 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     if (wanted.bounces) bringMirrored(commands, first, clusters);
     commands.endPass();
     commands.beginPass("sources");
-    spread(commands, inputs, clusters, clusters.fromLights, first > 0);
+    spreadLights(commands, inputs, clusters, first > 0);
     commands.endPass();
   }
   if (wanted.sky || wanted.bounces) {
@@ -72,34 +126,33 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
   if (!wanted.sky && clusters.lights > 0) return;
   commands.beginPass("sources");
   if (wanted.sky) {
-    Inputs ofSky = inputs;
-    ofSky.openingAngle = inputs.openingAngleOfSky;
-    spread(commands, ofSky, clusters, clusters.fromEverywhere, clusters.lights > 0);
+    spreadEverywhere(commands, inputs, clusters, clusters.lights > 0, wanted.isNew);
   } else {
     commands.fill({clusters.sources, clusters.latest}, 0);
   }
   commands.endPass();
 }
 
-void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
-                             bool isFirst) const {
+void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
+                             const Reentry& reentry, Clusters& clusters) const {
   commands.beginPass("sources");
-  commands.bind(
-      reentry_.of(inputs.tables.paint.any),
-      {.objects = inputs.tables.objects,
-       .media = inputs.tables.media,
-       .ranges = clusters.ranges,
-       .clusters = clusters.clusters,
-       .meetings = clusters.meetings,
-       .latest = clusters.latest,
-       .enteredBefore = clusters.enteredBefore,
-       .arrived = clusters.arrived,
-       .strengths = clusters.fromEverywhere.strengths,
-       .entered = clusters.entered,
-       .clusterPaints = inputs.tables.paint.clusters},
-      {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
+  commands.bind(reentry_.of(inputs.tables.paint.any),
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .meetings = clusters.meetings,
+                 .latest = clusters.latest,
+                 .enteredBefore = clusters.enteredBefore,
+                 .arrived = clusters.arrived,
+                 .strengths = clusters.fromEverywhere.strengths,
+                 .entered = clusters.entered,
+                 .clusterPaints = inputs.tables.paint.clusters},
+                {.clusterCount = clusters.count,
+                 .raysOutwards = clusters.raysOutwards,
+                 .isFirst = reentry.isFirst});
   commands.dispatchLinear(clusters.count);
-  spread(commands, inputs, clusters, clusters.fromEverywhere, false);
+  spreadEverywhere(commands, inputs, clusters, false, reentry.isNew);
   commands.endPass();
 }
 
@@ -175,106 +228,168 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLigh
   }
 }
 
-// As fluence and, where light is followed to its second collision, as what scatters once.
-void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
-                      Beams& beams, bool adds) const {
-  const bool scattersOnce = inputs.tables.followsLight;
-  fitNodes(commands, inputs.tables, clusters, beams);
+void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                            bool adds) const {
+  const Spreading of{.tables = inputs.tables,
+                     .clusters = clusters,
+                     .beams = clusters.fromLights,
+                     .openingAngle = inputs.openingAngle,
+                     .ofEverywhere = false,
+                     .roomOfKept = 0};
+  fitNodes(commands, of.ofLights(), of);
   // In parts of each body's nodes for which lists have room.
   const std::uint32_t room = clusters.roomOfBeamList;
   for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
-    listActing(commands, from, inputs, clusters, beams);
-    const Part part{.isFirst = from == 0, .adds = adds || from > 0};
-    const bool several = clusters.haveSeveralMedia;
-    sum(commands, source_.of(several), clusters.sources, part, inputs, clusters, beams);
-    if (!scattersOnce) continue;
-    const bool evenly = inputs.tables.scattersEvenly && !several;
-    sum(commands, evenly ? singleEven_ : singleForward_.of(several), clusters.latest, part, inputs,
-        clusters, beams);
+    listActing(commands, from, of.ofLights(), of);
+    sumUp(commands, {.isFirst = from == 0, .adds = adds || from > 0}, of);
   }
+}
+
+// What acts on what is a matter of the shape, and so are its coefficients: found once, but where
+// lists are made in parts.
+void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs,
+                                Clusters& clusters, bool adds, bool isNew) const {
+  const std::uint32_t room = clusters.roomOfBeamList;
+  const bool inParts = clusters.mostNodesOfBody > room;
+  // Each tile sums up the lengths of all lists before its own.
+  constexpr std::uint32_t mostGroups = 1024;
+  const bool keeps = inputs.keepsCoefficients && !inParts && clusters.groupCount <= mostGroups;
+  const Spreading of{.tables = inputs.tables,
+                     .clusters = clusters,
+                     .beams = clusters.fromEverywhere,
+                     .openingAngle = inputs.openingAngleOfEverywhere,
+                     .ofEverywhere = true,
+                     .roomOfKept = keeps ? clusters.roomOfKept / kindsOf(inputs.tables) : 0};
+  fitNodes(commands, isNew ? of.all() : of.ofLights(), of);
+  for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
+    if (isNew || inParts) listActing(commands, from, of.ofShape(), of);
+    if (isNew && of.roomOfKept > 0) findCoefficients(commands, of);
+    sumUp(commands, {.isFirst = from == 0, .adds = adds || from > 0}, of);
+  }
+}
+
+// As fluence and, where light is followed to its second collision, as what scatters once.
+void BeamPass::sumUp(gpu::CommandList& commands, const Part& part, const Spreading& of) const {
+  const bool several = of.clusters.haveSeveralMedia;
+  sum(commands, source_.of(several), of.clusters.sources, part, of);
+  if (!of.tables.followsLight) return;
+  const bool evenly = of.tables.scattersEvenly && !several;
+  sum(commands, evenly ? singleEven_ : singleForward_.of(several), of.clusters.latest, part, of);
 }
 
 template <typename Shader>
 void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline,
-                   gpu::Buffer& sums, const Part& part, const Inputs& inputs, Clusters& clusters,
-                   Beams& beams) const {
-  constexpr bool scattersOnce = std::is_same_v<Shader, shaders::BoundarySingle>;
-  const std::uint32_t room = clusters.roomOfBeamList;
+                   gpu::Buffer& sums, const Part& part, const Spreading& of) const {
+  constexpr std::uint32_t kind = std::is_same_v<Shader, shaders::BoundarySingle> ? 1 : 0;
+  Clusters& clusters = of.clusters;
   commands.bind(pipeline,
-                {.objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .points = beams.points,
-                 .strengths = beams.strengths,
-                 .beamNodes = clusters.beamNodes,
-                 .tiles = clusters.tiles,
-                 .clusterTexels = clusters.clusters,
+                {.beamTile = of.tile(),
                  .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .lists = clusters.beamLists,
                  .sums = sums,
-                 .objectOfNode = clusters.objectOfNode},
+                 .coefficients = clusters.beamCoefficients,
+                 .kept = clusters.keptBeams},
                 {.tileCount = clusters.tileCount,
-                 .openingAngle = inputs.openingAngle,
+                 .openingAngle = of.openingAngle,
                  .adds = part.adds,
                  .isFirst = part.isFirst,
-                 .lights = beams.lights,
+                 .lights = of.beams.lights,
                  .clusterCount = clusters.count,
-                 .room = room,
-                 .firstTree = scattersOnce ? beams.lights : 0,
+                 .room = clusters.roomOfBeamList,
+                 .firstTree = of.firstTree(kind),
+                 .firstListed = of.firstListed(kind),
                  .nodeCount = clusters.tree.nodeCount,
-                 .groupCount = clusters.groupCount});
-  commands.dispatchGroups(clusters.tileCount,
-                          beams.lights * shared::maxPoints * (room / groupSize + 1));
+                 .groupCount = clusters.groupCount,
+                 .kindOfBeams = kind,
+                 .roomOfKept = of.roomOfKept});
+  commands.dispatchGroups(clusters.tileCount, of.rounds());
 }
 
-void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Inputs& inputs,
-                          Clusters& clusters, const Beams& beams) const {
+void BeamPass::findCoefficients(gpu::CommandList& commands, const Spreading& of) const {
+  const bool several = of.clusters.haveSeveralMedia;
+  findCoefficients(commands, sourceCoefficients_.of(several), of);
+  if (!of.tables.followsLight) return;
+  const bool evenly = of.tables.scattersEvenly && !several;
+  findCoefficients(commands,
+                   evenly ? singleEvenCoefficients_ : singleForwardCoefficients_.of(several), of);
+}
+
+template <typename Shader>
+void BeamPass::findCoefficients(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline,
+                                const Spreading& of) const {
+  constexpr std::uint32_t kind =
+      std::is_same_v<Shader, shaders::BoundarySingleCoefficients> ? 1 : 0;
+  Clusters& clusters = of.clusters;
+  commands.bind(pipeline,
+                {.beamTile = of.tile(),
+                 .coefficients = clusters.beamCoefficients,
+                 .kept = clusters.keptBeams},
+                {.tileCount = clusters.tileCount,
+                 .openingAngle = of.openingAngle,
+                 .adds = 0,
+                 .isFirst = 0,
+                 .lights = of.beams.lights,
+                 .clusterCount = clusters.count,
+                 .room = clusters.roomOfBeamList,
+                 .firstTree = of.firstListed(kind),
+                 .firstListed = of.firstListed(kind),
+                 .nodeCount = clusters.tree.nodeCount,
+                 .groupCount = clusters.groupCount,
+                 .kindOfBeams = kind,
+                 .roomOfKept = of.roomOfKept});
+  commands.dispatchGroups(clusters.tileCount, of.rounds());
+}
+
+void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Trees& trees,
+                          const Spreading& of) const {
+  Clusters& clusters = of.clusters;
   const std::uint32_t room = clusters.roomOfBeamList;
-  const std::uint32_t trees = treesOf(inputs.tables, beams);
   commands.bind(acting_,
-                {.objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
+                {.objects = of.tables.objects,
+                 .media = of.tables.media,
                  .beamNodes = clusters.beamNodes,
                  .groups = clusters.groups,
                  .clusterTexels = clusters.clusters,
                  .lists = clusters.beamLists},
                 {.groupCount = clusters.groupCount,
-                 .openingAngle = inputs.openingAngle,
-                 .trees = trees,
-                 .lights = beams.lights,
+                 .openingAngle = of.openingAngle,
+                 .firstTree = trees.first,
+                 .trees = trees.count,
+                 .kinds = of.kinds(),
+                 .lights = of.beams.lights,
                  .nodeCount = clusters.tree.nodeCount,
                  .room = room,
                  .firstNode = firstNode,
                  .endNode = firstNode + room});
-  commands.dispatchGroups(trees * clusters.groupCount, 2 * (room / groupSize + roundsOfWalk));
+  commands.dispatchGroups(trees.count * clusters.groupCount, 2 * (room / groupSize + roundsOfWalk));
 }
 
-void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                        Beams& beams) const {
-  const std::uint32_t trees = treesOf(tables, beams);
+void BeamPass::fitNodes(gpu::CommandList& commands, const Trees& trees, const Spreading& of) const {
+  Clusters& clusters = of.clusters;
   const auto bind = [&](const auto& pipeline, std::uint32_t firstTreelet, std::uint32_t count) {
     commands.bind(pipeline,
                   {.treeletOrder = treeletOrder(clusters.tree),
-                   .objects = tables.objects,
-                   .media = tables.media,
-                   .points = beams.points,
-                   .strengths = beams.strengths,
+                   .objects = of.tables.objects,
+                   .media = of.tables.media,
+                   .points = of.beams.points,
+                   .strengths = of.beams.strengths,
                    .ranges = clusters.ranges,
                    .clusters = clusters.clusters,
                    .nodes = clusters.beamNodes},
                   {.firstTreelet = firstTreelet,
                    .count = count,
-                   .trees = trees,
-                   .lights = beams.lights,
+                   .firstTree = trees.first,
+                   .trees = trees.count,
+                   .kinds = of.kinds(),
+                   .lights = of.beams.lights,
                    .clusterCount = clusters.count,
                    .nodeCount = clusters.tree.nodeCount});
   };
   bind(leaves_, 0, clusters.count);
-  commands.dispatchGroups(shared::groupsOfNodes(trees * clusters.count));
+  commands.dispatchGroups(shared::groupsOfNodes(trees.count * clusters.count));
   fitInnerNodes(
       commands, clusters.tree,
       [&](std::uint32_t firstTreelet, std::uint32_t count) { bind(nodes_, firstTreelet, count); },
-      trees);
+      trees.count);
 }
 
 }  // namespace opaline::passes

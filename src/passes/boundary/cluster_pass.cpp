@@ -27,9 +27,9 @@ std::uint32_t mostNodesOfBody(const surfels::ClusterDivision& made) {
 }
 
 // Room of a list of nodes that act on a group. Bodies of more nodes are summed in several
-// dispatches, so that the lists of all groups take no more than 64 MiB.
+// dispatches, so that the lists of all groups take no more than 96 MiB.
 std::uint32_t roomOfBeamList(std::uint32_t nodes, std::size_t groups) {
-  constexpr std::size_t ofAll = std::size_t{1} << 24U;
+  constexpr std::size_t ofAll = std::size_t{3} << 23U;
   const std::size_t ofOne = ofAll / std::max<std::size_t>(groups, 1);
   return std::min(nodes, static_cast<std::uint32_t>(std::clamp<std::size_t>(ofOne, 64, 16384)) - 1);
 }
@@ -282,7 +282,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
                                              count * (shared::maxLights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
   const std::uint32_t lights = lightsAtOnce(device, clusters.count);
-  const std::size_t trees = 2 * std::size_t{lights};
+  const std::size_t trees = 2 * (1 + std::size_t{lights});
   clusters.fromLights = makeBeams(device, "lights", count * lights);
   clusters.fromLights.room = lights;
   clusters.fromEverywhere = makeBeams(device, "everywhere", count);

@@ -45,11 +45,8 @@ float openingAngleOf(float tolerance) {
 
 // Light from everywhere is even, and light that enters again a tenth or two of all, so that their
 // points may be taken together from nearer.
-float openingAngleOfSky(float ofLight) {
+float openingAngleOfEverywhere(float ofLight) {
   return std::min(1.4F * ofLight, widestOpening);
-}
-float openingAngleOfBounce(float ofLight) {
-  return std::min(2.0F * ofLight, widestOpening);
 }
 
 // What every step of a frame needs.
@@ -176,18 +173,22 @@ struct FrameContext {
     const float openingAngle = openingAngleOf(plan.tolerance);
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
-      const passes::BeamPass::Inputs inputs{
-          resources.view,
-          resources.tables,
-          scene.surfels,
-          scene.rays,
-          again ? openingAngleOfBounce(openingAngle) : openingAngle,
-          openingAngleOfSky(openingAngle)};
+      const passes::BeamPass::Inputs inputs{resources.view,
+                                            resources.tables,
+                                            scene.surfels,
+                                            scene.rays,
+                                            openingAngle,
+                                            openingAngleOfEverywhere(openingAngle),
+                                            keepsCoefficients(scene)};
       if (again)
-        passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
+        passes.beams.recordReentry(
+            commands, inputs,
+            {.isFirst = bounce == 1, .isNew = plan.shape && bounce == 1 && plan.skyIsDark},
+            clusters);
       else
-        passes.beams.recordLights(commands, inputs,
-                                  {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0}, clusters);
+        passes.beams.recordLights(
+            commands, inputs,
+            {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0, .isNew = plan.shape}, clusters);
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance *
                               (clusters.haveLinings ? residualBehindLinings : 1);
       passes.solver.record(commands,

@@ -71,6 +71,10 @@ bool solves(const FramePlan& plan) {
   return plan.transport == Transport::Boundary && plan.scatter;
 }
 
+bool entersFromEverywhere(const FramePlan& plan) {
+  return solves(plan) && (!plan.skyIsDark || plan.bounces > 0);
+}
+
 bool usesClusters(const FramePlan& plan) {
   return solves(plan) || carriesOpaque(plan) ||
          (plan.occludesSky && (onSurfels(plan) || plan.ambientOcclusion));

@@ -56,6 +56,9 @@ bool sendsRays(const FramePlan& plan);
 /// Whether light in bodies is found by the boundary's equation.
 bool solves(const FramePlan& plan);
 
+/// Whether light comes from everywhere to bodies where that is so.
+bool entersFromEverywhere(const FramePlan& plan);
+
 /// Whether opaque bodies take light from others and give it back.
 bool carriesOpaque(const FramePlan& plan);
 

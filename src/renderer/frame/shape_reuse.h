@@ -25,6 +25,7 @@ class ShapeReuse {
     bool rays;
     bool looksAround;
     bool solves;
+    bool entersFromEverywhere;
 
     bool operator==(const Shape&) const = default;
   };

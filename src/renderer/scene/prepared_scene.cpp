@@ -22,8 +22,10 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
   if (needs.maxClusters || !lighting.areas.empty()) followLights(lightCount(lighting));
   if (plan.map) layFlat(options.dsmSize);
   // Clusters may be there for what is hidden of the sky alone.
-  if (solves(plan) && !resources_->solver.coefficients)
+  if (solves(plan) && !resources_->solver.coefficients) {
     passes::SolverPass::makeCoefficients(device_, resources_->clusters, resources_->solver);
+    passes::BeamPass::makeCoefficients(device_, resources_->clusters);
+  }
   // Most frames are not asked which surfels they show.
   if (plan.seenSurfels && !resources_->rays.boxes)
     resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);

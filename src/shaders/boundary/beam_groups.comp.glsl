@@ -10,6 +10,7 @@
 #define BINDING_BEAM_NODES 2
 #include "lib/boundary.glsl"
 #include "lib/beam_node.glsl"
+#include "lib/beam_trees.glsl"
 #include "lib/group_place.glsl"
 #include "lib/texels.glsl"
 #include "lib/work_group.glsl"
@@ -21,7 +22,9 @@ layout(std430, set = 0, binding = 5) writeonly buffer Lists { uint lists[]; };
 layout(push_constant) uniform Push {
   uint groupCount;
   float openingAngle;
+  uint firstTree;
   uint trees;
+  uint kinds;  // of trees
   uint lights;
   uint nodeCount;  // of a tree
   uint room;       // of a list
@@ -86,9 +89,9 @@ uint nextActing(inout uint at) {
 
 void main() {
   uint index = groupIndex();
-  uint tree = index / groupCount;
-  if (tree >= trees) return;
-  bool scattersOnce = tree >= lights;
+  if (index / groupCount >= trees) return;
+  uint tree = firstTree + index / groupCount;
+  bool scattersOnce = beamTree(tree, kinds, lights).scattersOnce;
   root = tree * nodeCount;
   group = groups[index % groupCount];
   ObjectData body = objects[group.object];
@@ -106,8 +109,9 @@ void main() {
   uint at = body.clusters.x;
   while (nextActing(at) != noNode) ++count;
   uint all;
-  uint place = startOfList(index, room) + 1u + groupPlaceFor(count, all);
-  if (i == 0u) lists[startOfList(index, room)] = all;
+  uint list = startOfList(firstTree * groupCount + index, room);
+  uint place = list + 1u + groupPlaceFor(count, all);
+  if (i == 0u) lists[list] = all;
   at = body.clusters.x;
   for (uint entry = nextActing(at); entry != noNode; entry = nextActing(at)) lists[place++] = entry;
 }

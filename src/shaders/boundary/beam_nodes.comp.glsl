@@ -1,6 +1,5 @@
 // Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
-// inner nodes. Each light has a tree of sources of fluence and, of the part that is followed to its second
-// collision, one of sources of light that scatters once, after those of all lights.
+// inner nodes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -9,6 +8,7 @@
 #define BINDING_STRENGTHS 3
 #define BINDING_TREELETS 4
 #include "lib/beam.glsl"
+#include "lib/beam_trees.glsl"
 #include "lib/treelets.glsl"
 
 layout(constant_id = 0) const uint ofLeaves = 1u;
@@ -20,15 +20,16 @@ layout(std430, set = 0, binding = 10) coherent buffer Nodes { BeamNode nodes[]; 
 layout(push_constant) uniform Push {
   uint firstTreelet;
   uint count;         // of treelets, or of clusters
+  uint firstTree;
   uint trees;
+  uint kinds;  // of trees
   uint lights;
   uint clusterCount;
   uint nodeCount;  // of a tree
 };
 
-uint scattersOnce;  // 1: of sources of light that scatters once
-uint light;
-uint root;  // of its tree
+BeamTree tree;
+uint root;  // of it
 
 // How large points are felt to be by light that scatters once, in roots of their mean square
 // distance: it falls off steeply. Fluence takes their spread into account, so that clusters of points
@@ -55,7 +56,7 @@ struct Squares {
 
 void add(inout Squares squares, float weight, vec3 offset) {
   squares.same += weight * offset * offset;
-  if (scattersOnce == 0u) squares.across += weight * offset.xxy * offset.yzz;
+  if (!tree.scattersOnce) squares.across += weight * offset.xxy * offset.yzz;
 }
 
 vec3 powerOf(BeamNode node) {
@@ -82,12 +83,14 @@ mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
 
 void gatherLeaf(uint i) {
   Cluster cluster = clusters[i];
-  uint beam = light * clusterCount + i;
-  vec4 strength = strengths[beam];
-  uvec2 counts = unpackPointCounts(strength.w);
+  uint beam = tree.light * clusterCount + i;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
+  vec4 strength = strengthOf(beam);
+  float entering = cluster.centroidArea.w * largestOf(1.0 - shareAtSurface(cluster.start.w, medium));
+  if (tree.ofShape) strength.rgb = vec3(entering);
+  uvec2 counts = unpackPointCounts(strength.w);
   vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
-  if (scattersOnce != 0u) shares = vec3[2](cluster.second.rgb, vec3(0.0));
+  if (tree.scattersOnce) shares = vec3[2](cluster.second.rgb, vec3(0.0));
 
   vec3 power = vec3(0.0);
   mat3 weighted = mat3(0.0);
@@ -115,23 +118,24 @@ void gatherLeaf(uint i) {
         add(squares, f[c], offset);
         ofChannels[c] += f[c] * dot(offset, offset);
       }
-      if (scattersOnce != 0u && medium.collision.w != 0.0) squares.across += (f.r + f.g + f.b) * arrivalAt(beam, p);
+      if (tree.scattersOnce && medium.collision.w != 0.0) squares.across += (f.r + f.g + f.b) * arrivalAt(beam, p);
     }
   }
   float all = max(power.r + power.g + power.b, 1e-30);
   squares = Squares(squares.same / all, squares.across / all);
   float square = squares.same.x + squares.same.y + squares.same.z;
-  float felt = scattersOnce != 0u
+  float felt = tree.scattersOnce
                    ? feltOnce
                    : mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb));
   float spread = felt * sqrt(square);
-  if (scattersOnce == 0u) {
+  if (!tree.scattersOnce) {
     // Red goes several times as far as blue; so each channel is told apart here, where it is known.
     power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * ofChannels;
     square = 0.0;
   }
   put(ranges[i].node, centroids, max(min(feltOfRadius * radius, spread), feltOfDisc * cluster.normal.w),
       squares, square, power);
+  if (tree.ofShape) nodes[root + ranges[i].node].across.w = entering;
 }
 
 void fitNode(uint node, uint link) {
@@ -145,7 +149,7 @@ void fitNode(uint node, uint link) {
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
   }
   mat3 centroids = meansOf(weighted, power, nodes[root + node + 1u].redPower.xyz);
-  float felt = scattersOnce != 0u ? feltOnce : feltInARow;
+  float felt = tree.scattersOnce ? feltOnce : feltInARow;
   float felt2 = 0.0;
   float square = 0.0;
   Squares squares = Squares(vec3(0.0), vec3(0.0));
@@ -169,11 +173,11 @@ void fitNode(uint node, uint link) {
   put(node, centroids, sqrt(felt2 / all), squares, square / all, power);
 }
 
-bool enterTree(uint tree) {
-  scattersOnce = tree / lights;
-  light = tree % lights;
-  root = tree * nodeCount;
-  return tree < trees;
+// Of those that are fitted.
+bool enterTree(uint which) {
+  tree = beamTree(firstTree + which, kinds, lights);
+  root = (firstTree + which) * nodeCount;
+  return which < trees;
 }
 
 void main() {

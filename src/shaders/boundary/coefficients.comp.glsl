@@ -11,6 +11,7 @@
 #define BINDING_NODE_OBJECTS 5
 #define CONSTANT_SEVERAL_MEDIA 0
 #include "lib/cluster_action.glsl"
+#include "lib/halves.glsl"
 
 layout(std430, set = 0, binding = 6) readonly buffer Lists { uint lists[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Coefficients { vec4 coefficients[]; };

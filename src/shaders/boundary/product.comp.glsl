@@ -19,6 +19,7 @@
 #define CONSTANT_SEVERAL_MEDIA 2
 #include "lib/cluster_action.glsl"
 #include "lib/cluster_walk.glsl"
+#include "lib/halves.glsl"
 #include "lib/texels.glsl"
 #define LININGS
 #include "lib/painted_cluster.glsl"

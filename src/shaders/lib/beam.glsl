@@ -10,12 +10,16 @@
 
 TEXELS(BINDING_POINTS, points);  // BeamPoint
 // Of each beam: power that entered through its cluster; w: numbers of its points as packPointCounts has them.
-layout(std430, set = 0, binding = BINDING_STRENGTHS) readonly buffer Strengths { vec4 strengths[]; };
+TEXELS(BINDING_STRENGTHS, strengths);
 
 BeamPoint readPoint(uint beam, uint p) {
   uint index = beam * maxPoints + p;
   return BeamPoint(texelOf(points, 3 * int(index)), texelOf(points, 3 * int(index) + 1),
                    texelOf(points, 3 * int(index) + 2));
+}
+
+vec4 strengthOf(uint beam) {
+  return texelOf(strengths, int(beam));
 }
 
 vec3 shareOf(BeamPoint point) {

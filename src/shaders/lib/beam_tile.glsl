@@ -1,5 +1,4 @@
-// Sums, at every cluster of a tile, over the points of light on its group's list: bindings and what a
-// node is to the tile.
+// Points of light on the list of a tile's group: bindings, and what a node is to the tile.
 #ifndef OPALINE_LIB_BEAM_TILE
 #define OPALINE_LIB_BEAM_TILE
 #define LONG_WORK
@@ -14,13 +13,10 @@
 #include "lib/beam_node.glsl"
 #include "lib/cluster_tile.glsl"
 #include "lib/group_place.glsl"
-#include "lib/tile_sum.glsl"
 #include "lib/way_between.glsl"
 
-layout(std430, set = 0, binding = 7) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Lists { uint lists[]; };
-layout(std430, set = 0, binding = 10) buffer Sums { vec4 sums[]; };
 
 layout(push_constant) uniform Push {
   uint tileCount;
@@ -29,10 +25,13 @@ layout(push_constant) uniform Push {
   uint isFirst;  // 1: of the dispatches for these lights
   uint lights;
   uint clusterCount;
-  uint room;     // of a list
-  uint firstTree;  // of the lights'
-  uint nodeCount;  // of a tree
+  uint room;         // of a list
+  uint firstTree;    // of the lights'
+  uint firstListed;  // of those by which lists are made and leaves are opened
+  uint nodeCount;    // of a tree
   uint groupCount;
+  uint kindOfBeams;  // 1: that scatter once
+  uint roomOfKept;   // of entries of each kind; 0: nothing is kept
 };
 
 uint light;  // of which the sum is
@@ -41,12 +40,30 @@ uint beamOf(uint cluster) {
   return light * clusterCount + cluster;
 }
 
-BeamNode readListed(uint node) {
+BeamNode readLit(uint node) {
   return readBeamNode((firstTree + light) * nodeCount + node);
 }
 
+BeamNode readListed(uint node) {
+  return readBeamNode((firstListed + light) * nodeCount + node);
+}
+
 uint startOfTilesList() {
-  return startOfList((firstTree + light) * groupCount + tile.group, room);
+  return startOfList((firstListed + light) * groupCount + tile.group, room);
+}
+
+// Whether light enters the tile's body.
+bool isLit() {
+  return readLit(body.clusters.x).extent.x >= 0.0;
+}
+
+// What is kept of the tile's list: its counts, and the words of what begins at an entry.
+uint countsOfTile() {
+  return (kindOfBeams * tileCount + tileIndex) * countsOfKept;
+}
+
+uint wordsFrom(uint first) {
+  return kindsOfBeams * tileCount * countsOfKept + 2u * first;
 }
 
 vec3 tileLight[maxClustersOfTile];
@@ -67,12 +84,14 @@ Around aroundTile() {
   return Around(middle, sqrt(squared));
 }
 
-// What a node on the list is to the tile. Those of a kind are summed side by side, since a device may
-// execute both sides of every branch.
-const uint nodeNearby = 0u;
-const uint nodeApart = 1u;
-const uint pointsNearby = 2u;
-const uint pointsApart = 3u;
+// What an entry of the list is to the tile: a node near it, a node apart from it, and likewise a leaf whose points are
+// taken one by one. With LEAVES_BY_THEMSELVES other leaves come between inner nodes and those. Entries of a kind are
+// summed side by side, since a device may execute both sides of every branch.
+#ifdef LEAVES_BY_THEMSELVES
+const uint kindsOfEntries = 6u;
+#else
+const uint kindsOfEntries = 4u;
+#endif
 
 // From beyond that many of a tile's radii, light changes little over it.
 const float apartInRadii = 4.0;
@@ -85,63 +104,59 @@ uint kindOf(uint entry, Around around, float sigma) {
   bool own = listed && cluster >= tile.firstCluster && cluster < tile.endCluster;
   float nearest = nearestOf(node, around);
   bool opened = own || listed && !isFar(nearest * nearest, node.extent.x, sigma, openingAngle);
-  float reached = apartInRadii * around.radius + (opened ? 2.0 * node.extent.z : 0.0);
+  // By the shape alone it is not known where in the node the power lies.
+  bool wide = opened || firstListed != firstTree;
+  float reached = apartInRadii * around.radius + (wide ? 2.0 * node.extent.z : 0.0);
   bool apart = !own && leastDistance(node, around) > reached;
-  return (opened ? pointsNearby : nodeNearby) + (apart ? 1u : 0u);
+  uint asNode = isLeaf(linkOf(node)) ? kindsOfEntries - 4u : 0u;
+  return (opened ? kindsOfEntries - 2u : asNode) + (apart ? 1u : 0u);
 }
 
 // The list is sorted by kinds in parts.
-// Of an invocation, which has two bits for each.
-const uint entriesAtOnce = 256u / invocationsOfTile;
+const uint entriesAtOnce = 256u / invocationsOfTile;  // of an invocation
 const uint sizeOfPart = entriesAtOnce * invocationsOfTile;
 shared uint sorted[sizeOfPart];
+uint ends[kindsOfEntries];  // of each kind
 
-// Where each kind ends.
-uvec4 sortPart(uint list, uint begin, uint end, Around around, float sigma) {
+void sortPart(uint list, uint begin, uint end, Around around, float sigma) {
   begin += gl_LocalInvocationIndex;
   uint mine = begin < end ? (end - begin + invocationsOfTile - 1u) / invocationsOfTile : 0u;
-  uint kinds = 0u;
-  uint counts[2] = uint[2](0u, 0u);  // of two kinds each, in halves
+  uint halves = 0u;  // which of two kinds, of up to 16 entries
+  uint pairs = 0u;   // which two, by two bits each
+  uint counts[kindsOfEntries / 2u];  // of two kinds each, in halves
+  [[unroll]] for (uint p = 0u; p < kindsOfEntries / 2u; ++p) counts[p] = 0u;
   for (uint e = 0u; e < mine; ++e) {
     uint k = begin + e * invocationsOfTile;
-    uint kind = kindOf(lists[list + 1u + k], around, sigma);
-    kinds |= kind << 2u * e;
-    uint one = 1u << 16u * (kind & 1u);
-    counts[0] += kind < 2u ? one : 0u;
-    counts[1] += kind < 2u ? 0u : one;
+    uint its = kindOf(lists[list + 1u + k], around, sigma);
+    halves |= (its & 1u) << e;
+    pairs |= its / 2u << 2u * e;
+    uint one = 1u << 16u * (its & 1u);
+    [[unroll]] for (uint p = 0u; p < kindsOfEntries / 2u; ++p) counts[p] += its / 2u == p ? one : 0u;
   }
-  uint all[2];
-  uint place[2];
-  place[0] = groupPlaceFor(counts[0], all[0]);
-  barrier();
-  place[1] = groupPlaceFor(counts[1], all[1]);
-  uvec4 ends = uvec4(all[0] & 0xffffu, all[0] >> 16u, all[1] & 0xffffu, all[1] >> 16u);
-  uvec4 at = uvec4(place[0] & 0xffffu, place[0] >> 16u, place[1] & 0xffffu, place[1] >> 16u);
-  ends.y += ends.x;
-  ends.z += ends.y;
-  ends.w += ends.z;
-  at.yzw += ends.xyz;
+  uint before = 0u;
+  uint at[kindsOfEntries];
+  [[unroll]] for (uint p = 0u; p < kindsOfEntries / 2u; ++p) {
+    uint all;
+    if (p > 0u) barrier();
+    uint place = groupPlaceFor(counts[p], all);
+    at[2u * p] = before + (place & 0xffffu);
+    ends[2u * p] = before + (all & 0xffffu);
+    at[2u * p + 1u] = ends[2u * p] + (place >> 16u);
+    ends[2u * p + 1u] = ends[2u * p] + (all >> 16u);
+    before = ends[2u * p + 1u];
+  }
   for (uint e = 0u; e < mine; ++e) {
     uint k = begin + e * invocationsOfTile;
-    uint kind = kinds >> 2u * e & 3u;
+    uint its = 2u * (pairs >> 2u * e & 3u) + (halves >> e & 1u);
     uint node = lists[list + 1u + k] & ~openedBit;
-    uvec4 its = uvec4(equal(uvec4(kind), uvec4(0u, 1u, 2u, 3u)));
-    uvec4 put = its * at;
-    sorted[put.x + put.y + put.z + put.w] = node;
-    at += its;
+    uint put = 0u;
+    [[unroll]] for (uint t = 0u; t < kindsOfEntries; ++t) {
+      put += t == its ? at[t] : 0u;
+      at[t] += t == its ? 1u : 0u;
+    }
+    sorted[put] = node;
   }
   barrier();
-  return ends;
-}
-
-// For the tile's `target`, that sum and what `own` adds to it, times a factor.
-void putLight(uint target, vec3 sum, vec3 own, vec3 factor) {
-  if (target >= tile.endCluster - tile.firstCluster) return;
-  uint i = tile.firstCluster + target;
-  if (isFirst != 0u) sum += own;
-  sum *= factor;
-  if (!boundsDiffusion(ranges[i].kind)) sum = vec3(0.0);
-  sums[i] = vec4(adds != 0u ? sums[i].rgb + sum : sum, 0.0);
 }
 
 #endif

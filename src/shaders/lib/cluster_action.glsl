@@ -1,6 +1,5 @@
 // What a node of the tree of clusters does to the fluence at a cluster by the operator of the boundary's
-// equation, and how two of its coefficients are kept in the bits of a float. Needs, before it,
-// BINDING_CLUSTER_NODES, what lib/cluster_tile.glsl needs, and what lib/way_between.glsl needs.
+// equation. Needs, before it, BINDING_CLUSTER_NODES, what lib/cluster_tile.glsl needs, and what lib/way_between.glsl needs.
 #ifndef OPALINE_LIB_CLUSTER_ACTION
 #define OPALINE_LIB_CLUSTER_ACTION
 #include "lib/cluster_node.glsl"
@@ -69,17 +68,6 @@ Action actionOn(uint t, ActingNode node, vec3 weightS, float openingAngle) {
 // Of the dipoles on a node, a column for each channel, and Σ a φ.
 vec3 fluenceBy(Action action, vec3 offset, mat3 dipoles, vec3 density) {
   return action.ofDensity * density - action.ofDipole * (offset * dipoles);
-}
-
-// With seven bits after the first: a coefficient is right within 0.4 %.
-float packed(float low, float high) {
-  uvec2 rounded = floatBitsToUint(vec2(low, high)) + 0x8000u;
-  return uintBitsToFloat(rounded.x >> 16u | (rounded.y & 0xffff0000u));
-}
-
-vec2 unpacked(float both) {
-  uint bits = floatBitsToUint(both);
-  return uintBitsToFloat(uvec2(bits << 16u, bits & 0xffff0000u));
 }
 
 #endif

@@ -82,6 +82,16 @@ OPALINE_BOUNDARY_CONSTANT maxClustersOfTile = 8u;
 /// What a node does to each of them, see lib/cluster_action.glsl: two numbers a channel of two
 /// bytes each, in texels of four floats.
 OPALINE_BOUNDARY_CONSTANT texelsOfActions = 3u * maxClustersOfTile / 4u;
+/// What light of unit power that enters through a cluster gives to each of them, see
+/// lib/beam_sum.glsl: a number a channel of two bytes.
+OPALINE_BOUNDARY_CONSTANT texelsOfPoints = 3u * maxClustersOfTile / 8u;
+/// What is kept of a tile's list of points of light, for each kind of sums: where it begins, for
+/// how many of the list's entries there is room, how many are kept, and how many of these are inner
+/// nodes near the tile, inner nodes apart from it, and clusters. After those of all tiles come two
+/// words for each entry that there is room for: first the clusters, in the second half the nodes
+/// that are near, and from its end those that are apart.
+OPALINE_BOUNDARY_CONSTANT countsOfKept = 6u;
+OPALINE_BOUNDARY_CONSTANT kindsOfBeams = 2u;
 struct ClusterTile {
   uint firstCluster;
   uint endCluster;
@@ -92,6 +102,7 @@ struct ClusterTile {
 /// Clusters of so many tiles that follow each other are a group: which points of light act on them
 /// is found for all of them together.
 OPALINE_BOUNDARY_CONSTANT maxClustersOfGroup = 32u;
+OPALINE_BOUNDARY_CONSTANT maxTilesOfGroup = maxClustersOfGroup / maxClustersOfTile;
 struct ClusterGroup {
   uint firstCluster;
   uint endCluster;
@@ -217,7 +228,8 @@ struct BeamNode {
   vec4 bluePower;
   vec4 square;  // mean square distances along xx, yy, zz, mm²; w: of what the power does not have
                 // yet
-  vec4 across;  // along xy, xz, yz; of light that scatters once, its mean direction of arrival
+  vec4 across;  // along xy, xz, yz; of light that scatters once, its mean direction of arrival;
+                // w: of leaves as the shape alone has them, the power that enters in each channel
 };
 
 /// Most steps of the solver before it must do with what it has.

@@ -1,0 +1,79 @@
+// What leaves through the clusters of a tile after its first collision at a cluster's points of light, over α*/4π.
+#ifndef OPALINE_LIB_SINGLE_POINTS
+#define OPALINE_LIB_SINGLE_POINTS
+#include "lib/beam_tile.glsl"
+#include "lib/phase.glsl"
+
+layout(constant_id = 0) const uint scattersEvenly = 1u;  // 0: some media do not
+
+float eta;
+vec4 targetNormals[maxClustersOfTile];  // w: ρ, mm
+
+void takeSurface() {
+  eta = mediumAt(body, targets[0].xyz).boundary.x;
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    targetNormals[t] = texelOf(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
+}
+
+// 1 - F_in, both polarisations over one denominator.
+float leaving(float cosine) {
+  float outside = sqrt(max(1.0 - (1.0 - cosine * cosine) * eta * eta, 0.0));
+  float across = cosine + eta * outside;
+  float along = eta * cosine + outside;
+  float both = across * along;
+  return cosine <= medium.albedo.w
+             ? 0.0
+             : 2.0 * eta * cosine * outside * (across * across + along * along) / (both * both);
+}
+
+// Places near the surface are smoothed over the cluster, the cosine as well as the distance, and the
+// way is what the depth makes of that cosine: with z² + s for z² in both, all light from a depth z
+// that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the
+// smoothing s.
+float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uint target) {
+  vec3 offset = targets[target].xyz - place;
+  float depth = dot(offset, targetNormals[target].xyz);
+  float over = inversesqrt(dot(offset, offset) + smoothing);
+  float cosine = (sqrt(depth * depth + smoothing) + min(depth, 0.0)) * over;
+  if (cosine <= medium.albedo.w) return 0.0;
+  float light = exp(-extinction * max(depth, 0.0) / cosine) * over * over * cosine * leaving(cosine);
+  if (scattersEvenly != 0u) return light;
+  vec3 direction = over * offset + (cosine - depth * over) * targetNormals[target].xyz;
+  return light * phaseOverEven(dot(direction, arrival), medium.collision.w);
+}
+
+// Of light that entered through a disc of that radius, over both discs: on the other side of a thin
+// part it lies just below clusters that are no nearer to each other.
+vec3 fromPlaces(BeamPoint point, vec3 arrival, float radiusMm, uint target) {
+  float radius = targetNormals[target].w;
+  float smoothing = 0.5 * (radius * radius + radiusMm * radiusMm);
+  vec3 extinction = way.extinction;
+  return vec3(fromPlace(point.red.xyz, arrival, extinction.r, smoothing, target),
+              fromPlace(point.green.xyz, arrival, extinction.g, smoothing, target),
+              fromPlace(point.blue.xyz, arrival, extinction.b, smoothing, target));
+}
+
+void addNodeOf(BeamNode node, vec3 power) {
+  BeamPoint middle = BeamPoint(node.redPower, node.greenLink, node.bluePower);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    tileLight[t] += power * fromPlaces(middle, node.across.xyz, 0.0, t);
+}
+
+// With light of that power.
+void addPoints(uint cluster, vec3 strength) {
+  uint beam = beamOf(cluster);
+  uint count = unpackPointCounts(strengthOf(beam).w).x;
+  Cluster from = clusters[cluster];
+  vec3 power = strength * from.second.rgb;
+  for (uint p = 0u; p < count; ++p) {
+    BeamPoint point = readPoint(beam, p);
+    uint without = p < pointsOfFirstSegment ? cluster - tile.firstCluster : noNode;
+    vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(beam, p);
+    [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+      vec3 leaves = power * shareOf(point) * fromPlaces(point, arrival, from.normal.w, t);
+      if (t != without) tileLight[t] += leaves;
+    }
+  }
+}
+
+#endif
