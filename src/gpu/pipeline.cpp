@@ -21,7 +21,7 @@ namespace opaline::gpu {
 namespace {
 
 // local_size_x_id in shaders/lib/work_group.glsl, constant_id in lib/lanes.glsl, local_size_x_id in
-// shade/sky_blocks.comp.glsl, local_size_y_id in lib/linear.glsl.
+// shade/sky_blocks.comp.glsl.
 constexpr std::uint32_t firstWorkGroupId = 16;
 
 /// The values of constant_id 0, 1, 2, … and the sizes of work groups that the device chooses; must
@@ -36,8 +36,7 @@ class Specialization {
                             device.workGroups().invocationsOfLongWork,
                             device.workGroups().lanes,
                             device.workGroups().invocationsOfRays,
-                            device.workGroups().invocationsOfTile,
-                            device.workGroups().sharersOfWalk};
+                            device.workGroups().invocationsOfTile};
     const std::span<const std::byte> more = std::as_bytes(std::span(groups));
     values_.insert(values_.end(), more.begin(), more.end());
     for (std::uint32_t i = 0; i < groups.size(); ++i)

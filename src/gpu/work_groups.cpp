@@ -30,7 +30,6 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
   groups.invocationsOfLongWork = groups.invocationsOfRays = large;
   groups.invocationsOfTile = 128;
   groups.lanes = 32;
-  groups.sharersOfWalk = large / 64;
   groups.drawTriangles = true;
   return groups;
 }

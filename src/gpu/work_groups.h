@@ -16,7 +16,6 @@ struct WorkGroups {
   std::uint32_t lanes = 1;                   ///< lib/lanes.glsl
   std::uint32_t invocationsOfRays = 64;      ///< of groups that send some hundred; 64 at least
   std::uint32_t invocationsOfTile = 64;      ///< lib/work_group.glsl with TILE_WORK
-  std::uint32_t sharersOfWalk = 1;           ///< lib/sharers.glsl
   bool drawTriangles = false;                ///< lib/raster.glsl, not hardware that draws
 };
 

@@ -9,7 +9,6 @@
 #include "lib/darkest.glsl"
 #include "lib/lesser.glsl"
 #include "lib/multipole.glsl"
-#include "lib/sharers.glsl"
 #include "lib/surfel_sum.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
@@ -89,13 +88,9 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
 // itself to look at: what one finds does not depend on its neighbours. Those with nothing to sum
 // call it with noNode as root. `tolerated` is of each node. The fourth component counts evaluations
 // of the profile. Leaves are opened outside the walk: a device that does both sides of every branch
-// would evaluate a source at each node. Each sharer of a place has a part of the nodes, and looks at those
-// before it only to find out whether they stand for some of its own.
+// would evaluate a source at each node.
 vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, vec3 tolerated) {
   vec4 sum = vec4(0.0);
-  uint count = end - root;
-  uint begin = root + sharer() * (count / sharers);
-  if (sharer() + 1u < sharers) end = begin + count / sharers;
   uint next = root;
   while (true) {
     uint at;
@@ -104,13 +99,9 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
       at = subgroupMin(next);
       if (next == at && at != noNode) {
         TreeNode node = readNode(at);
-        uint after = afterNode(at, node.link);
-        vec4 given = vec4(0.0);
-        bool taken = node.flux == vec3(0.0) || after <= begin ||
-                     takeNode(node, position, profile, reach, tolerated, given);
-        if (at >= begin) sum += given;
+        bool taken = node.flux == vec3(0.0) || takeNode(node, position, profile, reach, tolerated, sum);
         if (!taken && isLeaf(node.link)) opened = node.link;
-        next = taken ? after : at + 1u;
+        next = taken ? afterNode(at, node.link) : at + 1u;
         if (next >= end) next = noNode;
       }
     } while (at != noNode && subgroupMax(opened) == 0u);
@@ -120,7 +111,7 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
       sum += surfelSum(position, profile, reach, first, first + surfelCountOf(opened));
     }
   }
-  return sumOfSharers(sum);
+  return sum;
 }
 
 // The profile for a rough sum: what coarse sources lack is spread over their reach.

@@ -11,7 +11,6 @@
 #define MESH_BINDING 8
 #define BINDING_SEEN_LIST 12
 #define BINDING_ASKED 14
-#include "lib/sharers.glsl"
 #include "lib/frame.glsl"
 #include "lib/asked_list.glsl"
 #include "lib/tree_sum.glsl"
@@ -42,5 +41,5 @@ void main() {
   vec3 about = estimateAt(place, body, root, profile);
   vec4 sum = treeSum(place.position, root, body.tree.y, profile, body.darkest.w,
                      toleratedIn(about, tolerance, estimated != 0u));
-  if (here && sharer() == 0u) exitances[seen.entry] = sum;
+  if (here) exitances[seen.entry] = sum;
 }

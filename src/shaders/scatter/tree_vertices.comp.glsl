@@ -9,6 +9,7 @@
 #define BINDING_SOURCES 7
 #include "lib/tree_sum.glsl"
 #include "lib/tolerance.glsl"
+#include "lib/linear.glsl"
 
 layout(constant_id = 1) const uint rough = 0u;
 
@@ -30,7 +31,6 @@ void main() {
   uint vertex = inside ? order[i] : 0u;
   ObjectData body = objects[objectOf[vertex]];
   bool here = inside && (rough != 0u || !isSummedAtFragments(body, site)) && !isOpaque(body);
-  here = here && (rough == 0u || sharer() == 0u);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   vec3 position = positions[vertex].xyz;
   Profile profile = mediumAt(body, position).profile;
@@ -38,5 +38,5 @@ void main() {
                  ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
                  : treeSum(position, root, body.tree.y, profile, body.darkest.w,
                            toleratedIn(exitances[vertex].rgb, tolerance, estimated != 0u));
-  if (here && sharer() == 0u) exitances[vertex] = sum;
+  if (here) exitances[vertex] = sum;
 }
