@@ -25,10 +25,14 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
                         const VkPhysicalDeviceLimits& limits) {
   if (isSoftware) return ofSoftware(subgroupSize);
   // As measured on an H200. Every device has 128.
-  const std::uint32_t large = limits.maxComputeWorkGroupInvocations >= 256 ? 256 : 128;
+  constexpr std::uint32_t least = 128;
+  const auto atMost = [&](std::uint32_t best) {
+    return limits.maxComputeWorkGroupInvocations >= best ? best : least;
+  };
   WorkGroups groups;
-  groups.invocationsOfLongWork = groups.invocationsOfRays = large;
-  groups.invocationsOfTile = 128;
+  groups.invocationsOfLongWork = atMost(256);
+  groups.invocationsOfRays = atMost(512);
+  groups.invocationsOfTile = least;
   groups.lanes = 32;
   groups.drawTriangles = true;
   return groups;
