@@ -33,8 +33,7 @@ class Specialization {
     const auto count = static_cast<std::uint32_t>(values.size() / 4);
     for (std::uint32_t i = 0; i < count; ++i) entries_.push_back({i, i * 4, 4});
     const std::array groups{device.workGroups().invocations,
-                            device.workGroups().invocationsOfLongWork,
-                            device.workGroups().lanes,
+                            device.workGroups().invocationsOfLongWork, device.workGroups().lanes,
                             device.workGroups().invocationsOfRays,
                             device.workGroups().invocationsOfTile};
     const std::span<const std::byte> more = std::as_bytes(std::span(groups));
