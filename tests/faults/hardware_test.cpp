@@ -126,7 +126,7 @@ TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
 
 RenderOptions optionsOfManyClusters() {
   RenderOptions options = smallOptions();
-  options.maxClusters = 512;
+  options.maxClusters = 768;
   options.maxSurfels = 2048;
   options.tolerance = 0.002F;
   return options;
