@@ -1,6 +1,7 @@
 #include "gpu/work_groups.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace opaline::gpu {
 
@@ -25,14 +26,13 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
                         const VkPhysicalDeviceLimits& limits) {
   if (isSoftware) return ofSoftware(subgroupSize);
   // As measured on an H200. Every device has 128.
-  constexpr std::uint32_t least = 128;
-  const auto atMost = [&](std::uint32_t best) {
-    return limits.maxComputeWorkGroupInvocations >= best ? best : least;
+  const auto upTo = [&](std::uint32_t best) {
+    return std::bit_floor(std::min(best, limits.maxComputeWorkGroupInvocations));
   };
   WorkGroups groups;
-  groups.invocationsOfLongWork = atMost(256);
-  groups.invocationsOfRays = atMost(512);
-  groups.invocationsOfTile = least;
+  groups.invocationsOfLongWork = upTo(256);
+  groups.invocationsOfRays = upTo(512);
+  groups.invocationsOfTile = 128;
   groups.lanes = 32;
   groups.drawTriangles = true;
   return groups;

@@ -148,7 +148,8 @@ struct FrameView {
 struct ShadowMaps {
   gpu::GpuImage depth;
   gpu::Buffer drawn;  ///< some maps before they are copied there, where invocations draw triangles
-  std::uint32_t viewsDrawn = 0;  ///< for which that has room
+  std::uint32_t roomForViews = 0;
+  bool cutOut = false;  ///< for surfaces with holes
 };
 
 /// A tree whose nodes frames fit to the surface (passes/fitted_tree.h).

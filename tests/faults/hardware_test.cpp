@@ -66,7 +66,7 @@ struct Claims {
 };
 
 std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options,
-                             const Claims& claims) {
+                             const Claims& claims, Aov aov = Aov::Radiance) {
   RendererOptions software;
   software.device = softwareDevice();
   faultLayer().claimHardware(claims.hardware);
@@ -75,14 +75,14 @@ std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options,
   faultLayer().claimHardware(false);
   faultLayer().claimTexels(0);
   renderer.setScene(scene);
-  const RenderResult result = renderer.render(options);
+  const RenderResult result = renderer.render(options, {Aov::Radiance, aov});
   EXPECT_EQ(result.report.device.type == "discrete", claims.hardware);
-  return result.images.at(0).rgba;
+  return result.images.back().rgba;
 }
 
 /// Where a side of a triangle passes a sample so closely, another triangle is seen: the software
 /// device puts corners on a grid of 256 places a pixel, and invocations that draw do not.
-constexpr std::size_t pixelsOfSides = 2;  // of a thousand
+constexpr std::size_t pixelsOfSides = 2;  // of 32x32
 constexpr double mostAtSides = 0.01;      // of the largest value
 
 /// Root mean square difference over the largest of the first, of all pixels but the `without` that
@@ -104,8 +104,9 @@ double difference(const std::vector<float>& one, const std::vector<float>& other
 }
 
 /// From what the device makes without claims.
-double difference(const Scene& scene, const RenderOptions& options, const Claims& claims) {
-  return difference(pictureOf(scene, options, {}), pictureOf(scene, options, claims),
+double difference(const Scene& scene, const RenderOptions& options, const Claims& claims,
+                  Aov aov = Aov::Radiance) {
+  return difference(pictureOf(scene, options, {}, aov), pictureOf(scene, options, claims, aov),
                     claims.hardware ? pixelsOfSides : 0);
 }
 
@@ -122,6 +123,14 @@ TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
     options.site = site;
     EXPECT_LT(difference(twoBalls(marble()), options, {.hardware = true}), 2e-6);
   }
+}
+
+// A pixel's centre is none of its samples.
+TEST_F(Hardware, SeesTheSameAtTheCentresOfPixels) {
+  RenderOptions options = smallOptions();
+  options.transport = Transport::Dipole;
+  options.antialias = 4;
+  EXPECT_LT(difference(twoBalls(marble()), options, {.hardware = true}, Aov::Position), 2e-6);
 }
 
 RenderOptions optionsOfManyClusters() {

@@ -69,9 +69,9 @@ void dispatch(const Arguments& arguments) {
 }
 
 // After an error, all of ours is closed and written. What libraries do when a program ends is left
-// out: a driver that could not start may crash there. Only a search for leaks waits for that.
+// out: a driver that could not start may crash there. Only sanitizers wait for that.
 int end(int status) {
-#ifndef __SANITIZE_ADDRESS__
+#ifndef OPALINE_SANITIZED
   std::_Exit(status);
 #endif
   return status;

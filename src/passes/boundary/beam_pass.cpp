@@ -21,6 +21,14 @@ std::uint32_t kindsOf(const SceneTables& tables) {
   return tables.followsLight ? 2 : 1;
 }
 
+// Where lists are made in parts, or too many for each tile to sum up the lengths of all before its
+// own, nothing is kept; behind linings it would not be exact enough.
+bool canKeep(const Clusters& clusters) {
+  constexpr std::uint32_t mostGroups = 1024;
+  return !clusters.haveLinings && clusters.mostNodesOfBody <= clusters.roomOfBeamList &&
+         clusters.groupCount <= mostGroups;
+}
+
 }  // namespace
 
 struct BeamPass::Spreading {
@@ -95,13 +103,14 @@ void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
   const std::size_t tiles = std::size_t{shared::kindsOfBeams} * clusters.tileCount;
   const std::size_t ofEntry = shared::texelsOfPoints * sizeof(shared::vec4);
   const std::size_t bytes =
-      clusters.haveLinings ? 0 : std::min(mostBytesOfAll, mostBytes(device.limits()));
+      canKeep(clusters) ? std::min(mostBytesOfAll, mostBytes(device.limits())) : 0;
   const std::size_t room = std::min(bytes / ofEntry, tiles * clusters.tree.nodeCount);
   clusters.roomOfKept = static_cast<std::uint32_t>(room);
   clusters.beamCoefficients = makeRoom<shared::vec4>(device, "coefficients of points of light",
                                                      room * shared::texelsOfPoints);
-  clusters.keptBeams = makeRoom<std::uint32_t>(device, "kept lists of points of light",
-                                               tiles * shared::countsOfKept + 2 * room);
+  clusters.keptBeams =
+      makeRoom<std::uint32_t>(device, "kept lists of points of light",
+                              room > 0 ? tiles * shared::countsOfKept + 2 * room : 0);
 }
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
@@ -251,15 +260,13 @@ void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs
                                 Clusters& clusters, bool adds, bool isNew) const {
   const std::uint32_t room = clusters.roomOfBeamList;
   const bool inParts = clusters.mostNodesOfBody > room;
-  // Each tile sums up the lengths of all lists before its own.
-  constexpr std::uint32_t mostGroups = 1024;
-  const bool keeps = inputs.keepsCoefficients && !inParts && clusters.groupCount <= mostGroups;
-  const Spreading of{.tables = inputs.tables,
-                     .clusters = clusters,
-                     .beams = clusters.fromEverywhere,
-                     .openingAngle = inputs.openingAngleOfEverywhere,
-                     .ofEverywhere = true,
-                     .roomOfKept = keeps ? clusters.roomOfKept / kindsOf(inputs.tables) : 0};
+  const Spreading of{
+      .tables = inputs.tables,
+      .clusters = clusters,
+      .beams = clusters.fromEverywhere,
+      .openingAngle = inputs.openingAngleOfEverywhere,
+      .ofEverywhere = true,
+      .roomOfKept = inputs.keepsCoefficients ? clusters.roomOfKept / kindsOf(inputs.tables) : 0};
   fitNodes(commands, isNew ? of.all() : of.ofLights(), of);
   for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
     if (isNew || inParts) listActing(commands, from, of.ofShape(), of);

@@ -27,9 +27,14 @@ ShadowPass::ShadowPass(gpu::Device& device)
       cutOut_(device, "shadow with holes", ofDepth()),
       depths_(device, "depths of shadow maps") {}
 
-ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
+ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views,
+                                bool cutOut) {
   ShadowMaps made;
-  const bool drawn = device.workGroups().drawTriangles && views > 0;
+  made.cutOut = cutOut;
+  const std::size_t bytes = bytesOfMap(size);
+  const std::size_t most =
+      std::min(mostDrawnBytes, std::size_t{device.limits().maxStorageBufferRange});
+  const bool drawn = device.workGroups().drawTriangles && views > 0 && !cutOut && bytes <= most;
   VkImageUsageFlags usage =
       VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   if (drawn) usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
@@ -42,12 +47,10 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
                  .usage = usage,
                  .kind = gpu::ImageKind::Array}};
   if (!drawn) return made;
-  const std::size_t bytes = bytesOfMap(size);
-  made.viewsDrawn =
-      static_cast<std::uint32_t>(std::clamp<std::size_t>(mostDrawnBytes / bytes, 1, views));
+  made.roomForViews = static_cast<std::uint32_t>(std::min<std::size_t>(most / bytes, views));
   made.drawn = {device,
                 {.name = "depths of shadow maps",
-                 .bytes = made.viewsDrawn * bytes,
+                 .bytes = made.roomForViews * bytes,
                  .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                           VK_BUFFER_USAGE_TRANSFER_DST_BIT}};
   return made;
@@ -59,8 +62,8 @@ void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& fram
   const std::uint32_t size = maps.depth.extent().width;
   const std::uint32_t triangles = mesh.castingIndexCount / 3;
   const RasterBands bands = rasterBands(triangles, size);
-  for (std::uint32_t first = 0; first < frame.shadowViews; first += maps.viewsDrawn) {
-    const std::uint32_t views = std::min(maps.viewsDrawn, frame.shadowViews - first);
+  for (std::uint32_t first = 0; first < frame.shadowViews; first += maps.roomForViews) {
+    const std::uint32_t views = std::min(maps.roomForViews, frame.shadowViews - first);
     commands.fill({maps.drawn}, 0);
     commands.bind(depths_,
                   {.frame = frame.data,
@@ -90,7 +93,7 @@ void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, Deform
 void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
                         const CutOuts& cutOuts, ShadowMaps& maps) const {
   commands.beginPass("shadow");
-  if (maps.drawn && mesh.cutOut.empty())
+  if (maps.drawn)
     recordByInvocations(commands, frame, mesh, maps);
   else
     draw(commands, frame, mesh, cutOuts, maps);

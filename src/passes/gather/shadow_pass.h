@@ -22,7 +22,9 @@ class ShadowPass {
   explicit ShadowPass(gpu::Device& device);
 
   /// `views` maps of that size; one even without lights, so that there is something to bind.
-  static ShadowMaps makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views);
+  /// `cutOut`: some surfaces have holes.
+  static ShadowMaps makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views,
+                             bool cutOut);
 
   /// `maps.depth` has at least as many layers as the frame has shadow views.
   void record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,

@@ -37,10 +37,10 @@ void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting
 }
 
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
-                 FrameResources& resources) {
+                 bool cutOut, FrameResources& resources) {
   resources.view.shadowViews = shadowViewCount(lighting);
   resources.shadows = passes::ShadowPass::makeMaps(
-      device, static_cast<std::uint32_t>(options.shadowSize), resources.view.shadowViews);
+      device, static_cast<std::uint32_t>(options.shadowSize), resources.view.shadowViews, cutOut);
 }
 
 }  // namespace opaline

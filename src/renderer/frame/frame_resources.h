@@ -54,6 +54,6 @@ void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting
 
 /// What depends on how many lights there are of which kind.
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
-                 FrameResources& resources);
+                 bool cutOut, FrameResources& resources);
 
 }  // namespace opaline

@@ -43,8 +43,10 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool glossy = plan.opaque || plan.ownSurfaces;
   const bool sky = surface || before->changes.sky != changes.sky || (glossy && !made_.sky.glossy);
   const std::uint32_t views = shadowViewCount(lighting);
-  const bool shadows =
-      whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;
+  const bool cutOut = !scene.mesh.cutOut.empty();
+  const bool shadows = whole || made_.view.shadowViews != views ||
+                       before->options.shadowSize != options.shadowSize ||
+                       made_.shadows.cutOut != cutOut;
 
   if (whole) dropAllButPicture();
   if (size || media || transport || pattern) made_.map.reset();
@@ -57,8 +59,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   makeBackdrop(plan, edited, behind);
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
-  makeRoom(plan, lighting, !scene.mesh.cutOut.empty());
-  if (shadows) makeShadows(device_, lighting, options, made_);
+  makeRoom(plan, lighting, cutOut);
+  if (shadows) makeShadows(device_, lighting, options, cutOut, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
     made_.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made_.radiance.extent());

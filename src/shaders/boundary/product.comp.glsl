@@ -191,6 +191,7 @@ bool isLastOfTiles() {
     memoryBarrierBuffer();
     subgroupBarrier();
     if (subgroupElect()) tilesBefore = atomicAdd(states[solution].tilesDone, 1u);
+    memoryBarrierBuffer();
   }
   barrier();
   memoryBarrierBuffer();

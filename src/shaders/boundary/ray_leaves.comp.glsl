@@ -104,6 +104,7 @@ void main() {
     low = min(low, min(min(corners[0], corners[1]), corners[2]));
     high = max(high, max(max(corners[0], corners[1]), corners[2]));
   }
-  float margin = roundedPart * largestOf(max(abs(low), abs(high)));
+  vec3 off = max(abs(low - its.xyz), abs(high - its.xyz));
+  float margin = roundedPart * max(largestOf(max(abs(low), abs(high))), largestOf(off));
   boxes.ofNodes[node] = packedBox((low - margin - its.xyz) / its.w, (high + margin - its.xyz) / its.w, link);
 }

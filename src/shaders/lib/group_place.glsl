@@ -1,4 +1,4 @@
-// Where each invocation of a work group of 64 puts what it has into a list: after what those before it
+// Where each invocation of a work group puts what it has into a list: after what those before it
 // have.
 #ifndef OPALINE_LIB_GROUP_PLACE
 #define OPALINE_LIB_GROUP_PLACE

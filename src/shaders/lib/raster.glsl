@@ -1,13 +1,13 @@
-// Triangles drawn by invocations: some GPUs have little hardware that draws. A work group has 64 triangles after the other
-// and some rows of the picture. Its invocations share the pixels that these may cover, so that large triangles and small
+// Triangles drawn by invocations: some GPUs have little hardware that draws. A work group draws 64 triangles at a time,
+// within some rows of the picture. Its invocations share the pixels that these may cover, so that large triangles and small
 // ones keep all of them busy.
 //
 // A sample is in a triangle where it is on the inner side of all edges, in homogeneous coordinates, so that nothing needs
 // to be clipped (Olano and Greer 1997). Triangles that share an edge have the same number for it with opposite signs, bit
 // by bit, and where that is 0 one of them has the sample: there are no holes.
 //
-// Needs, before it, subgroup arithmetic and what `indices` and `positions` are; after it, where a pixel has its samples, from its centre, pixels,
-// and what becomes of one that a triangle may be seen at:
+// Needs, before it, subgroup arithmetic, `indices` and `positions`; after it, the places of a pixel's samples, in pixels
+// from its centre, and what to do with each sample at which a triangle may be seen:
 //   vec2 sampleAt(uint which)
 //   void meet(uint triangle, ivec2 pixel, uint which, float depth)
 #ifndef OPALINE_LIB_RASTER

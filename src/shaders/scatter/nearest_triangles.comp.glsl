@@ -1,6 +1,6 @@
 // What scatter/surface.vert.glsl and its fragments do, of triangles drawn by invocations and of all samples at once: at
-// first how near the nearest triangle is at each sample, as a number of which the largest is the nearest; then which of
-// those it is that are as near, the first of them. 0 where there is none.
+// first how near the nearest triangle is at each sample, as a number of which the largest is the nearest; then the first
+// of the triangles that are that near. 0 where there is none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -25,7 +25,7 @@ layout(push_constant) uniform Push {
 #include "lib/raster.glsl"
 
 vec2 sampleAt(uint which) {
-  return frame.samples[which].xy;
+  return samples == 1u ? vec2(0.0) : frame.samples[which].xy;  // the frame may have those of another picture
 }
 
 void meet(uint triangle, ivec2 pixel, uint which, float depth) {
