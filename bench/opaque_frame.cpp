@@ -61,8 +61,8 @@ class OpaqueFrame::Implementation {
     const std::uint32_t width = unsignedOf(options.width);
     const std::uint32_t height = unsignedOf(options.height);
     view_.shadowViews = shadowViewCount(scene.lighting);
-    shadows_ =
-        passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), view_.shadowViews);
+    shadows_ = passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize),
+                                            view_.shadowViews, false);
     visible_ = passes::SurfacePass::makeSurfaces(device_, {width, height}, 1, {});
     radiance_ = passes::ShadePass::makeRadiance(device_, width, height);
     upload_ = gpu::makeBuffer(device_, "frame data",
