@@ -67,8 +67,8 @@ VkInstance start(const VkInstanceCreateInfo& info) {
 
 // With the last instance the loader closes the drivers, and with the next it opens them again. A
 // process can do that only so often: with NVIDIA's 580 the 32nd instance found no device. So one
-// stays until the process ends. Drivers have registered what they do at
-// exit before this is made, so that they do it after this is destroyed.
+// stays until the process ends. Drivers have registered what they do at exit before this is made,
+// so that they do it after this is destroyed.
 class KeptInstance {
  public:
   KeptInstance() {

@@ -21,12 +21,16 @@ std::uint32_t kindsOf(const SceneTables& tables) {
   return tables.followsLight ? 2 : 1;
 }
 
+// Where a body has more nodes than lists have room for.
+bool areInParts(const Clusters& clusters) {
+  return clusters.mostNodesOfBody > clusters.roomOfBeamList;
+}
+
 // Where lists are made in parts, or too many for each tile to sum up the lengths of all before its
 // own, nothing is kept; behind linings it would not be exact enough.
 bool canKeep(const Clusters& clusters) {
   constexpr std::uint32_t mostGroups = 1024;
-  return !clusters.haveLinings && clusters.mostNodesOfBody <= clusters.roomOfBeamList &&
-         clusters.groupCount <= mostGroups;
+  return !clusters.haveLinings && !areInParts(clusters) && clusters.groupCount <= mostGroups;
 }
 
 }  // namespace
@@ -59,6 +63,23 @@ struct BeamPass::Spreading {
             .clusters = clusters.clusters,
             .lists = clusters.beamLists,
             .objectOfNode = clusters.objectOfNode};
+  }
+  // Of shaders with lib/beam_tile.glsl.
+  template <typename Shader>
+  typename Shader::Push push(std::uint32_t kind, std::uint32_t lit, const Part& part) const {
+    return {.tileCount = clusters.tileCount,
+            .openingAngle = openingAngle,
+            .adds = part.adds,
+            .isFirst = part.isFirst,
+            .lights = beams.lights,
+            .clusterCount = clusters.count,
+            .room = clusters.roomOfBeamList,
+            .firstTree = lit,
+            .firstListed = firstListed(kind),
+            .nodeCount = clusters.tree.nodeCount,
+            .groupCount = clusters.groupCount,
+            .kindOfBeams = kind,
+            .roomOfKept = roomOfKept};
   }
   std::uint32_t rounds() const {
     return beams.lights * shared::maxPoints * (clusters.roomOfBeamList / groupSize + 1);
@@ -259,7 +280,6 @@ void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Cl
 void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs,
                                 Clusters& clusters, bool adds, bool isNew) const {
   const std::uint32_t room = clusters.roomOfBeamList;
-  const bool inParts = clusters.mostNodesOfBody > room;
   const Spreading of{
       .tables = inputs.tables,
       .clusters = clusters,
@@ -269,7 +289,7 @@ void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs
       .roomOfKept = inputs.keepsCoefficients ? clusters.roomOfKept / kindsOf(inputs.tables) : 0};
   fitNodes(commands, isNew ? of.all() : of.ofLights(), of);
   for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
-    if (isNew || inParts) listActing(commands, from, of.ofShape(), of);
+    if (isNew || areInParts(clusters)) listActing(commands, from, of.ofShape(), of);
     if (isNew && of.roomOfKept > 0) findCoefficients(commands, of);
     sumUp(commands, {.isFirst = from == 0, .adds = adds || from > 0}, of);
   }
@@ -295,19 +315,7 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipel
                  .sums = sums,
                  .coefficients = clusters.beamCoefficients,
                  .kept = clusters.keptBeams},
-                {.tileCount = clusters.tileCount,
-                 .openingAngle = of.openingAngle,
-                 .adds = part.adds,
-                 .isFirst = part.isFirst,
-                 .lights = of.beams.lights,
-                 .clusterCount = clusters.count,
-                 .room = clusters.roomOfBeamList,
-                 .firstTree = of.firstTree(kind),
-                 .firstListed = of.firstListed(kind),
-                 .nodeCount = clusters.tree.nodeCount,
-                 .groupCount = clusters.groupCount,
-                 .kindOfBeams = kind,
-                 .roomOfKept = of.roomOfKept});
+                of.push<Shader>(kind, of.firstTree(kind), part));
   commands.dispatchGroups(clusters.tileCount, of.rounds());
 }
 
@@ -330,19 +338,7 @@ void BeamPass::findCoefficients(gpu::CommandList& commands, const gpu::Compute<S
                 {.beamTile = of.tile(),
                  .coefficients = clusters.beamCoefficients,
                  .kept = clusters.keptBeams},
-                {.tileCount = clusters.tileCount,
-                 .openingAngle = of.openingAngle,
-                 .adds = 0,
-                 .isFirst = 0,
-                 .lights = of.beams.lights,
-                 .clusterCount = clusters.count,
-                 .room = clusters.roomOfBeamList,
-                 .firstTree = of.firstListed(kind),
-                 .firstListed = of.firstListed(kind),
-                 .nodeCount = clusters.tree.nodeCount,
-                 .groupCount = clusters.groupCount,
-                 .kindOfBeams = kind,
-                 .roomOfKept = of.roomOfKept});
+                of.push<Shader>(kind, of.firstListed(kind), {.isFirst = false, .adds = false}));
   commands.dispatchGroups(clusters.tileCount, of.rounds());
 }
 

@@ -171,15 +171,15 @@ struct FrameContext {
   void solveBoundary(SceneResources& scene) const {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
+    const passes::BeamPass::Inputs inputs{resources.view,
+                                          resources.tables,
+                                          scene.surfels,
+                                          scene.rays,
+                                          openingAngle,
+                                          openingAngleOfEverywhere(openingAngle),
+                                          keepsCoefficients(scene)};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
-      const passes::BeamPass::Inputs inputs{resources.view,
-                                            resources.tables,
-                                            scene.surfels,
-                                            scene.rays,
-                                            openingAngle,
-                                            openingAngleOfEverywhere(openingAngle),
-                                            keepsCoefficients(scene)};
       if (again)
         passes.beams.recordReentry(
             commands, inputs,
@@ -197,7 +197,7 @@ struct FrameContext {
                             .tolerance = tolerance,
                             .adds = again,
                             .isDiffuse = again || !plan.skyIsDark,
-                            .keepsCoefficients = keepsCoefficients(scene)},
+                            .keepsCoefficients = inputs.keepsCoefficients},
                            resources.tables, clusters, scene.solver);
       using From = passes::OpaquePass::From;
       giveBack(again ? From::Clusters : From::Lights, scene);

@@ -6,8 +6,6 @@
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "lib/frame.glsl"
 
-layout(std430, set = 0, binding = 1) readonly buffer Indices { uint indices[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 3) buffer Depths { uint depths[]; };
 
 layout(push_constant) uniform Push {

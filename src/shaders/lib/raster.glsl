@@ -6,8 +6,8 @@
 // to be clipped (Olano and Greer 1997). Triangles that share an edge have the same number for it with opposite signs, bit
 // by bit, and where that is 0 one of them has the sample: there are no holes.
 //
-// Needs, before it, subgroup arithmetic, `indices` and `positions`; after it, the places of a pixel's samples, in pixels
-// from its centre, and what to do with each sample at which a triangle may be seen:
+// Has bindings 1 and 2. Needs, before it, subgroup arithmetic; after it, the places of a pixel's samples, in pixels from
+// its centre, and what to do with each sample at which a triangle may be seen:
 //   vec2 sampleAt(uint which)
 //   void meet(uint triangle, ivec2 pixel, uint which, float depth)
 #ifndef OPALINE_LIB_RASTER
@@ -15,6 +15,9 @@
 #include "lib/group_place.glsl"
 
 layout(local_size_x = 64) in;
+
+layout(std430, set = 0, binding = 1) readonly buffer Indices { uint indices[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
 
 vec2 sampleAt(uint which);
 void meet(uint triangle, ivec2 pixel, uint which, float depth);

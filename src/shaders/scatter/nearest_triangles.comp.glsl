@@ -8,8 +8,6 @@
 #include "lib/frame.glsl"
 #include "lib/sample_words.glsl"
 
-layout(std430, set = 0, binding = 1) readonly buffer Indices { uint indices[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 3) buffer Depths { uint depths[]; };
 layout(std430, set = 0, binding = 4) buffer Triangles { uint triangles[]; };
 
