@@ -77,11 +77,11 @@ class Package(Installed):
         self.assertTrue(self.succeed(program, "--version").startswith("opaline 0."))
 
     def run_python(self, *words, folder=None):
-        """With the module that is installed."""
+        """With the module that is installed; says where it was if it crashes."""
         if cached("OPALINE_BUILD_PYTHON") != "ON":
             self.skipTest("this build has no Python module")
         site, = (self.prefix / "lib").glob("python3*/site-packages")
-        return run(cached("OPALINE_PYTHON_EXECUTABLE"), *words, cwd=folder, env=os.environ | {"PYTHONPATH": str(site)})
+        return run(cached("OPALINE_PYTHON_EXECUTABLE"), "-X", "faulthandler", *words, cwd=folder, env=os.environ | {"PYTHONPATH": str(site)})
 
     def test_the_python_module_is_found_there(self):
         done = self.run_python("-c", "import opaline; print(opaline.teapot().objects[0])")
@@ -94,7 +94,7 @@ class Package(Installed):
                     self.skipTest(f"{name} needs {needed}")
                 shutil.copy(ROOT / "examples" / "python" / name, folder)
                 done = self.run_python(name, "--quick", folder=folder)
-                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
                 self.assertEqual({path.name for path in pathlib.Path(folder).iterdir()}, {name} | pictures)
 
     def test_another_project_finds_it(self):

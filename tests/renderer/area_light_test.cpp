@@ -143,14 +143,21 @@ TEST_F(AreaLightTest, ASmallOneIsAPointLight) {
   }
 }
 
-// Half of what is below a disc far away is hidden: what is left of the disc is a segment.
-TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
-  constexpr double radius = 4;
+// A plate of which a sheet hides what is left of `edge` from the middle of a disc.
+Scene plateBelowHalfPlane(float radius, float edge) {
   Scene scene = plate(ofIndex(1.4), 12, 96);
-  scene.objects.push_back({"half plane", sheet({-6, 50, 0}, {0, 0, 12}, {6, 0, 0}, 2), marble()});
+  scene.objects.push_back(
+      {"half plane", sheet({edge / 2 - 6, 50, 0}, {0, 0, 12}, {6, 0, 0}, 2), marble()});
   scene.camera.positionMm = {0, 40, 1};
   scene.camera.verticalFovDegrees = 25;
   scene.lighting.areas = {DiscLight{{0, 100, 0}, {0, -1, 0}, radius, {500, 500, 500}}};
+  return scene;
+}
+
+// Half of what is below a disc far away is hidden: what is left of the disc is a segment.
+TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
+  constexpr double radius = 4;
+  const Scene scene = plateBelowHalfPlane(radius, 0);
   std::vector<double> errors;
   // Of all surfels at one distance from the edge.
   constexpr int columns = 20;
@@ -169,8 +176,28 @@ TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
     ++count[column];
   }
   ASSERT_GT(errors.size(), 500U);
-  EXPECT_LT(percentile95(errors), 0.09);  // of single surfels
+  EXPECT_LT(percentile95(errors), 0.065);  // of single surfels
   for (std::size_t i = 0; i < columns; ++i) EXPECT_LT(std::abs(sum[i] / count[i]), 0.025) << i;
+}
+
+// Its penumbra is a fifth of a surfel wide: neighbours are not mixed.
+TEST_F(AreaLightTest, TheShadowOfASmallOneIsSharp) {
+  constexpr float edge = 0.18F;  // within some that lie side by side
+  const Scene scene = plateBelowHalfPlane(0.0125F, edge);
+  int lit = 0;
+  int dark = 0;
+  for (const Found& found :
+       irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}))) {
+    const double x = found.position[0] - double{edge};
+    constexpr double surfel = 0.125;
+    if (std::abs(found.position[1]) > 1e-3 || std::abs(x) < 1.5 * surfel || std::abs(x) > 1)
+      continue;
+    const double open = byQuadrature(scene.lighting.areas[0], found.position, 1.4);
+    EXPECT_NEAR(found.irradiance / open, x > 0 ? 1 : 0, 0.01) << x;
+    ++(x > 0 ? lit : dark);
+  }
+  EXPECT_GT(lit, 20);
+  EXPECT_GT(dark, 20);
 }
 
 TEST_F(AreaLightTest, ShineToTheirFrontUnlessTheyHaveTwoSides) {

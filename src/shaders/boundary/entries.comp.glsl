@@ -44,9 +44,18 @@ layout(push_constant) uniform Push {
 // has been looked up where the surfels gathered.
 vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piece, uint point) {
   float visible = unpackVisibility(visibilities[visibilityIndex(index, piece, pieceCount)], point);
-  if (withAreaLights != 0u && index >= firstAreaLight()) return visible * areaEntering(index, place, facet, medium);
   IncidentLight light = incidentLight(index, place);
   return light.irradiance * (enteringPart(light, facet, facet, medium) * visible);
+}
+
+// Of an area light, which a piece sees from its middle.
+vec3 enteringOfArea(PieceShape shape, vec3 facet, ObjectData body, uint index, uint piece) {
+  uint word = visibilities[visibilityIndex(index, piece, pieceCount)];
+  if (word == 0u) return vec3(0.0);
+  float visible = 0.0;
+  for (uint i = 0u; i < pointsPerPiece; ++i) visible += unpackVisibility(word, i) / float(pointsPerPiece);
+  vec3 middle = middleOf(shape);
+  return visible * areaEntering(index, middle, facet, mediumAt(body, middle));
 }
 
 // Light that enters through a piece, mean over its points: of a light, or from everywhere.
@@ -60,6 +69,8 @@ vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) 
     if (light != everywhere) even = evenness(piece);
     facet = tiltedNormal(piece, shape.along, shape.across, facet);
   }
+  if (withAreaLights != 0u && light != everywhere && light >= firstAreaLight())
+    return even * enteringOfArea(shape, facet, body, light, piece);
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec2 at = pointOf(shape.places, i);
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);

@@ -30,34 +30,42 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
-float visibleAt(uint light, uint piece, uint point) {
-  return unpackVisibility(
-      visibilities[visibilityIndex(light, piece, surfelCount * piecesPerSurfel)], point);
-}
-
 void add(uint source, vec3 irradiance) {
   sources[source].flux.rgb += fluxThrough(sources[source].positionArea.w, irradiance);
 }
 
-// At one of the piece's points, or its middle, where the mean of them is visible.
-const uint middlePoint = pointsPerPiece;
+// Of normals at points of a piece to that in its middle: within it, light that enters is a vector of the middle.
+const float leastAgreement = 0.95;
 
-vec3 irradianceOn(uint piece, uint point) {
+// At each of the piece's points.
+vec3[pointsPerPiece] irradianceOn(uint piece) {
   PiecePlace place = placeOf(pieceAt(piece));
-  vec2 at = point == middlePoint ? middleOf(place.corners) : pointOf(place.corners, point);
-  vec3 position = positionAt(place, at);
-  vec3 normal = normalAt(place, at);
-  if (withNormals != 0u) normal = tiltedNormal(piece, place.along, place.across, normal);
+  vec2 middle = middleOf(place.corners);
+  vec3 position = positionAt(place, middle);
   MediumData medium = mediumAt(objects[pieceAt(piece).object], position);
-  vec3 sum = vec3(0.0);
-  for (uint light = firstAreaLight(); light < allLightsAt(position); ++light) {
-    float visible = 0.0;
-    for (uint i = 0u; i < pointsPerPiece; ++i)
-      if (point == i || point == middlePoint) visible += visibleAt(light, piece, i);
-    if (point == middlePoint) visible /= float(pointsPerPiece);
-    if (visible > 0.0) sum += visible * areaEntering(light, position, normal, medium);
+  vec3 facing = normalAt(place, middle);
+  if (withNormals != 0u) facing = tiltedNormal(piece, place.along, place.across, facing);
+  float even = withNormals != 0u ? evenness(piece) : 1.0;
+  vec3 normals[pointsPerPiece];
+  vec3 sums[pointsPerPiece];
+  bool agree = true;
+  for (uint i = 0u; i < pointsPerPiece; ++i) {
+    normals[i] = normalAt(place, pointOf(place.corners, i));
+    if (withNormals != 0u) normals[i] = tiltedNormal(piece, place.along, place.across, normals[i]);
+    sums[i] = vec3(0.0);
+    agree = agree && dot(normals[i], facing) > leastAgreement;
   }
-  return withNormals != 0u ? evenness(piece) * sum : sum;
+  for (uint light = firstAreaLight(); light < allLightsAt(position); ++light) {
+    uint word = visibilities[visibilityIndex(light, piece, surfelCount * piecesPerSurfel)];
+    AreaView view = areaViewFrom(position, light);
+    if (word == 0u || !view.shines) continue;
+    vec3 enters = enteringVectorOf(view, facing, medium);
+    for (uint i = 0u; i < pointsPerPiece; ++i) {
+      if (!agree) enters = enteringVectorOf(view, normals[i], medium);
+      sums[i] += even * unpackVisibility(word, i) * max(dot(enters, normals[i]), 0.0) * frame.lights[light].power.rgb;
+    }
+  }
+  return sums;
 }
 
 // The one that surfels.comp asks.
@@ -77,15 +85,19 @@ uint largestPiece(uint first, uint end) {
 void main() {
   uint surfel = linearIndex();
   if (surfel >= surfelCount) return;
+  if (piecesPerSurfel == 1u) {
+    vec3 found[pointsPerPiece] = irradianceOn(surfel);
+    for (uint i = 0u; i < sourcesPerSurfel; ++i) add(sourcesPerSurfel * surfel + i, found[i]);
+    return;
+  }
   for (uint i = 0u; i < sourcesPerSurfel; ++i) {
-    uint source = sourcesPerSurfel * surfel + i;
-    if (piecesPerSurfel == 1u) {
-      add(source, irradianceOn(surfel, i));
-      continue;
-    }
     uint first = surfel * piecesPerSurfel + i * piecesPerSurfel / sourcesPerSurfel;
     uint end = surfel * piecesPerSurfel + (i + 1u) * piecesPerSurfel / sourcesPerSurfel;
     uint piece = largestPiece(first, end);
-    if (piece < end) add(source, irradianceOn(piece, middlePoint));
+    if (piece == end) continue;
+    vec3 found[pointsPerPiece] = irradianceOn(piece);
+    vec3 sum = vec3(0.0);
+    for (uint k = 0u; k < pointsPerPiece; ++k) sum += found[k];
+    add(sourcesPerSurfel * surfel + i, sum / float(pointsPerPiece));
   }
 }

@@ -154,22 +154,25 @@ mat3 acrossBy(vec3 normal, float factor) {
   return mat3(factor) + (1.0 - factor) * outerProduct(normal, normal);
 }
 
-// The light that enters of unit radiance: the Fresnel term as two lobes (lights/fresnel_lobes.h).
-float enteringOfView(AreaView view, vec3 normal, MediumData medium) {
+// The light that enters of unit radiance, as a vector: what enters a surface that faces `normal`, or nearly that way, is
+// its part along that. The Fresnel term as two lobes (lights/fresnel_lobes.h).
+vec3 enteringVectorOf(AreaView view, vec3 normal, MediumData medium) {
   float squared = dot(view.middle, view.middle);
   float size = sizeOf(view);
   if (size * size < leastOfDistance * leastOfDistance * squared) {
     vec3 direction = view.middle * inversesqrt(squared);
     float cosine = dot(direction, normal);
-    if (cosine <= 0.0) return 0.0;
-    return areaOver(view, direction, squared) * cosine *
-           (1.0 - fresnelReflectance(medium.boundary.x, min(cosine, 1.0)));
+    if (cosine <= 0.0) return vec3(0.0);
+    return areaOver(view, direction, squared) * (1.0 - fresnelReflectance(medium.boundary.x, min(cosine, 1.0))) * direction;
   }
   float plain = medium.boundary.z;
   float wide = medium.inside.extinction.w - plain;
-  float sum = plain * dot(vectorIrradianceOf(view, mat3(1.0), normal), normal) +
-              wide * dot(vectorIrradianceOf(view, acrossBy(normal, medium.boundary.w), normal), normal);
-  return max(sum, 0.0);
+  return plain * vectorIrradianceOf(view, mat3(1.0), normal) +
+         wide * vectorIrradianceOf(view, acrossBy(normal, medium.boundary.w), normal);
+}
+
+float enteringOfView(AreaView view, vec3 normal, MediumData medium) {
+  return max(dot(enteringVectorOf(view, normal, medium), normal), 0.0);
 }
 
 // The light of an area light that enters a surface, if all of it is visible.

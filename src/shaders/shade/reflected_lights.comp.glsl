@@ -39,7 +39,9 @@ layout(push_constant) uniform Push {
 };
 
 const uint lobeEntries = 16u;
-const float leastMirrored = 1e-3;  // of the radiance so far, for which a ray is worth its while
+// Of the radiance so far: what is worth being added, and for which rays are worth their while.
+const float leastMirrored = 1e-3;
+const float leastForRays = 1e-2;
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -120,35 +122,40 @@ const uint fewRays = 4u;
 const uint mostRays = 16u;
 
 // What the pieces of a triangle see of a light, if they are few and small enough to speak for it.
-const uint noneSee = 0u;
-const uint allSee = 1u;
-const uint someSee = 2u;
+struct Sight {
+  float part;
+  bool isKnown;  // for there are such pieces
+  bool isOne;    // all of them see all of it, or none of them any
+};
 const uint mostPieces = 4u;
 
-uint sightOf(uint triangle, uint index) {
+Sight sightOf(uint triangle, uint index) {
   uint begin = piecesOfTriangles[triangle];
   uint end = piecesOfTriangles[triangle + 1u];
-  if (end - begin > mostPieces) return someSee;
+  if (end == begin || end - begin > mostPieces) return Sight(0.0, false, false);
   bool all = true;
   bool none = true;
+  float sum = 0.0;
   for (uint k = begin; k < end; ++k) {
     uint word = visibilities[visibilityIndex(index, piecesOfTriangles[triangleCount + 1u + k], pieceCount)];
     all = all && word == wholeVisibility;
     none = none && word == 0u;
+    for (uint i = 0u; i < pointsPerPiece; ++i) sum += unpackVisibility(word, i);
   }
-  return all == none ? someSee : all ? allSee : noneSee;
+  return Sight(sum / float(pointsPerPiece * (end - begin)), true, all || none);
 }
 
-bool isVisible(MeshPlace place, vec3 offset, uint sight) {
+bool isVisible(MeshPlace place, vec3 offset, Sight sight) {
   float start = startAbove(place.position);
   float least = start * inversesqrt(max(dot(offset, offset), 1e-30));
-  if (dot(offset, place.facet) <= 0.0 || sight == noneSee) return false;
-  return sight == allSee || !occluded(place.position + start * place.facet, offset, least, 1.0,
-                                      RayTarget(0u, nodeCount, everyObject));
+  if (dot(offset, place.facet) <= 0.0) return false;
+  if (sight.isOne) return sight.part > 0.5;
+  return !occluded(place.position + start * place.facet, offset, least, 1.0,
+                   RayTarget(0u, nodeCount, everyObject));
 }
 
 // Of what the lobe mirrors of a light. Where the first rays agree, they are enough.
-float visiblePart(MeshPlace place, AreaView view, Lobe lobe, uint sight) {
+float visiblePart(MeshPlace place, AreaView view, Lobe lobe, Sight sight) {
   float free = 0.0;
   for (uint i = 0u; i < mostRays; ++i) {
     if (i == fewRays && (free == 0.0 || free == float(fewRays))) return free / float(fewRays);
@@ -204,8 +211,10 @@ vec3 mirroredLights(Seen seen, MeshPlace place, vec3 known) {
     if (!view.shines) continue;
     float part = vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z / pi;
     vec3 found = part * mirror.albedo * frame.lights[i].power.rgb;
-    if (any(greaterThan(found, leastMirrored * known)))
-      sum += visiblePart(place, view, lobe, sightOf(triangleOf(seen.word), i)) * found;
+    if (!any(greaterThan(found, leastMirrored * known))) continue;
+    Sight sight = sightOf(triangleOf(seen.word), i);
+    bool sendsRays = !sight.isKnown || sight.isOne || any(greaterThan(found, leastForRays * known));
+    sum += (sendsRays ? visiblePart(place, view, lobe, sight) : sight.part) * found;
   }
   return sum;
 }
