@@ -52,10 +52,8 @@ vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piec
 vec3 enteringOfArea(PieceShape shape, vec3 facet, ObjectData body, uint index, uint piece) {
   uint word = visibilities[visibilityIndex(index, piece, pieceCount)];
   if (word == 0u) return vec3(0.0);
-  float visible = 0.0;
-  for (uint i = 0u; i < pointsPerPiece; ++i) visible += unpackVisibility(word, i) / float(pointsPerPiece);
   vec3 middle = middleOf(shape);
-  return visible * areaEntering(index, middle, facet, mediumAt(body, middle));
+  return meanVisibility(word) * areaEntering(index, middle, facet, mediumAt(body, middle));
 }
 
 // Light that enters through a piece, mean over its points: of a light, or from everywhere.

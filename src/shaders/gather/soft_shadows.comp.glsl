@@ -30,8 +30,7 @@ layout(push_constant) uniform Push {
 
 const uint neighbours = 16u;
 
-// Points of a piece that send a first ray, and rays of a point.
-const uint firstPoints = 1u;
+// Of a point.
 const uint someRays = 3u;
 const uint manyRays = 6u;
 
@@ -56,12 +55,11 @@ Receiver receiverAt(PiecePlace place, ObjectData body, uint point) {
   return Receiver(position, outside, outside, mediumAt(body, position).boundary.x);
 }
 
-uint askFirst(Receiver receiver, uint piece, uint point) {
+uint askFirst(Receiver receiver, uint piece) {
   AreaView view = areaViewFrom(receiver.position, light);
   if (!view.shines) return 0u;
-  uint i = firstPoints * piece + point;
   Share share = Share(0.0, 0.0);
-  sendRay(view, receiver, firstPlace(view, i % 16u, i / 16u % 4u), nodeCount, share);
+  sendRay(view, receiver, firstPlace(view, piece % 16u, piece / 16u % 4u), nodeCount, share);
   if (share.all <= 0.0) return 0u;
   return share.visible > 0.0 ? someSee : someDoNot;
 }
@@ -138,9 +136,7 @@ void main() {
   barrier();
   PiecePlace place = placeOf(pieceAt(there ? piece : 0u));
   ObjectData body = objects[pieceAt(there ? piece : 0u).object];
-  uint first = 0u;
-  for (uint p = 0u; there && p < firstPoints; ++p) first |= askFirst(receiverAt(place, body, p), piece, p);
-  atomicOr(found[own], first);
+  if (there) atomicOr(found[own], askFirst(receiverAt(place, body, 0u), piece));
   barrier();
   bool differ = there && found[own] == (someSee | someDoNot);
   Share shares[pointsPerPiece];

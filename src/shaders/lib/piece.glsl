@@ -40,4 +40,10 @@ float unpackVisibility(uint word, uint point) {
   return float(bitfieldExtract(word, int(10u * point), 10)) / 1023.0;
 }
 
+float meanVisibility(uint word) {
+  float sum = 0.0;
+  for (uint i = 0u; i < pointsPerPiece; ++i) sum += unpackVisibility(word, i);
+  return sum / float(pointsPerPiece);
+}
+
 #endif

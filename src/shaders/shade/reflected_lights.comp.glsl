@@ -140,9 +140,9 @@ Sight sightOf(uint triangle, uint index) {
     uint word = visibilities[visibilityIndex(index, piecesOfTriangles[triangleCount + 1u + k], pieceCount)];
     all = all && word == wholeVisibility;
     none = none && word == 0u;
-    for (uint i = 0u; i < pointsPerPiece; ++i) sum += unpackVisibility(word, i);
+    sum += meanVisibility(word);
   }
-  return Sight(sum / float(pointsPerPiece * (end - begin)), true, all || none);
+  return Sight(sum / float(end - begin), true, all || none);
 }
 
 bool isVisible(MeshPlace place, vec3 offset, Sight sight) {
