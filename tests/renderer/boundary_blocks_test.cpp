@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
     FromBehind, BoundaryBlocksTest,
     testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.07, 0.08}, {0.06, 0.06}},
                     BlocksCase{"marble", bunny, "marble", {0.04, 0.04}, {0.04, 0.04}},
-                    BlocksCase{"skin1", bunny, "skin1", {0.10, 0.10}, {0.075, 0.075}},
+                    BlocksCase{"skin1", bunny, "skin1", {0.095, 0.09}, {0.06, 0.065}},
                     BlocksCase{
                         "twisted", bunny, "marble", {0.05, 0.05}, {0.04, 0.04}, twistedAndBent}),
     [](const auto& blocks) { return std::string(blocks.param.name); });

@@ -2,6 +2,7 @@
 // between. Needs lib/frame.glsl.
 #ifndef OPALINE_LIB_AREA_LIGHT
 #define OPALINE_LIB_AREA_LIGHT
+#include "lib/axes.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/light.glsl"
 #include "lib/pi.glsl"
@@ -16,12 +17,11 @@ struct AreaView {
   vec3 v;        // the same; of a tube, unit, from the axis to the place
   vec3 across;   // of a tube, unit, at right angles to both
   float radius;  // of a tube
-  float edge;    // of a tube, half the angle about its axis that is seen
+  vec2 edge;     // of a tube, the cosine and sine of half the angle about its axis that is seen
   bool shines;   // to the place
 };
 
-// Of a disc that is drawn as a polygon of equal area, the distance of its corners.
-const uint cornersOfDisc = 12u;
+// Of a disc that is drawn as a polygon of twelve corners and equal area, their distance.
 const float cornerOfDisc = 1.0232670;  // √(2π / 12 sin 30°)
 
 AreaView discOfSphere(AreaView view, float radius) {
@@ -29,15 +29,12 @@ AreaView discOfSphere(AreaView view, float radius) {
   view.shines = squared > radius * radius * 1.000001;
   float part = view.shines ? radius * radius / squared : 0.0;
   vec3 towards = unitOr(view.middle, vec3(0.0, 0.0, 1.0));
-  // Duff et al. 2017.
-  float s = towards.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (s + towards.z);
-  float b = towards.x * towards.y * a;
+  mat2x3 across = axesAcross(towards);
   float seen = radius * sqrt(1.0 - part);
   view.shape = discShape;
   view.middle *= 1.0 - part;
-  view.u = seen * vec3(1.0 + s * towards.x * towards.x * a, s * b, -s * towards.x);
-  view.v = seen * vec3(b, s + towards.y * towards.y * a, -towards.y);
+  view.u = seen * across[0];
+  view.v = seen * across[1];
   return view;
 }
 
@@ -49,14 +46,15 @@ AreaView sideOfTube(AreaView view, float radius) {
   view.v = unitOr(away, vec3(0.0));
   view.across = cross(axis, view.v);
   view.radius = radius;
-  view.edge = acos(min(radius / max(distance, 1e-30), 1.0));
+  float cosine = min(radius / max(distance, 1e-30), 1.0);
+  view.edge = vec2(cosine, sqrt(1.0 - cosine * cosine));
   return view;
 }
 
 AreaView areaViewFrom(vec3 position, uint index) {
   LightData light = frame.lights[index];
   AreaView view = AreaView(light.kind.w, light.place.xyz - position, light.axis.xyz, light.cone.xyz,
-                           vec3(0.0), 0.0, 0.0, true);
+                           vec3(0.0), 0.0, vec2(0.0), true);
   if (view.shape == sphereShape) return discOfSphere(view, light.cone.w);
   if (view.shape == tubeShape) return sideOfTube(view, light.cone.w);
   float side = -dot(cross(view.u, view.v), view.middle);
@@ -64,25 +62,60 @@ AreaView areaViewFrom(vec3 position, uint index) {
   return view;
 }
 
+// At an angle about its axis of that cosine and sine.
+vec3 onTube(AreaView view, float along, vec2 angle) {
+  return view.middle + along * view.u + view.radius * (angle.x * view.v + angle.y * view.across);
+}
+
+// Of the polygon that is seen, its corners one after the other: middle + at.x x + at.y y, and at a tube's two ends
+// `along` more or less. A tube's has six corners on the near half of either rim.
+struct Outline {
+  vec3 middle;
+  vec3 x;
+  vec3 y;
+  vec3 along;
+  vec2 at;
+  vec2 turn;  // from one corner to the next, as a complex number
+};
+
+const uint cornersOfRim = 6u;
+
+vec2 turnedBy(vec2 a, vec2 b) {
+  return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
 uint cornersOf(AreaView view) {
-  return view.shape == rectangleShape ? 4u : cornersOfDisc;
+  return view.shape == rectangleShape ? 4u : 12u;
 }
 
-vec3 onTube(AreaView view, float along, float angle) {
-  return view.middle + along * view.u +
-         view.radius * (cos(angle) * view.v + sin(angle) * view.across);
-}
-
-// Of the polygon that is seen. A tube's has six corners on the near half of either rim.
-vec3 cornerOf(AreaView view, uint i) {
-  if (view.shape == rectangleShape)
-    return view.middle + (i == 0u || i == 3u ? view.u : -view.u) + (i < 2u ? view.v : -view.v);
-  if (view.shape == discShape) {
-    float angle = 2.0 * pi / float(cornersOfDisc) * float(i);
-    return view.middle + cornerOfDisc * (cos(angle) * view.u + sin(angle) * view.v);
+Outline outlineOf(AreaView view) {
+  if (view.shape == tubeShape) {
+    float turn = 2.0 * acos(view.edge.x) / float(cornersOfRim - 1u);
+    return Outline(view.middle, view.radius * view.v, view.radius * view.across, view.u, vec2(view.edge.x, -view.edge.y),
+                   vec2(cos(turn), sin(turn)));
   }
-  return i < 6u ? onTube(view, 1.0, view.edge * (0.4 * float(i) - 1.0))
-                : onTube(view, -1.0, view.edge * (1.0 - 0.4 * float(i - 6u)));
+  bool isDisc = view.shape == discShape;
+  return Outline(view.middle, view.u, view.v, vec3(0.0), isDisc ? vec2(cornerOfDisc, 0.0) : vec2(1.0),
+                 isDisc ? vec2(0.866025404, 0.5) : vec2(0.0, 1.0));
+}
+
+Outline transformed(Outline outline, mat3 transform) {
+  return Outline(transform * outline.middle, transform * outline.x, transform * outline.y, transform * outline.along,
+                 outline.at, outline.turn);
+}
+
+vec3 cornerOf(Outline outline) {
+  return outline.middle + outline.at.x * outline.x + outline.at.y * outline.y + outline.along;
+}
+
+// To the corner after the i-th. At the end of a rim to the other one, which goes the other way.
+void goOn(inout Outline outline, AreaView view, uint i) {
+  if (view.shape == tubeShape && i % cornersOfRim == cornersOfRim - 1u) {
+    outline.along = -outline.along;
+    outline.turn.y = -outline.turn.y;
+  } else {
+    outline.at = turnedBy(outline.at, outline.turn);
+  }
 }
 
 // γ / 2 sin γ of the angle between two vectors, times their cross product over their lengths: the
@@ -102,35 +135,30 @@ vec3 edgeOf(vec3 a, vec3 b) {
 }
 
 // The vector irradiance of unit radiance at a surface, by what lies above it: Lambert's formula for
-// the polygon, cut off at the horizon, after directions have been transformed.
+// the polygon, cut off at the horizon, after directions have been transformed. Where it is cut off, edges go along the
+// horizon, of which each gives half its angle along the normal: together that of a product of complex numbers.
 vec3 vectorIrradianceOf(AreaView view, mat3 transform, vec3 normal) {
-  uint count = cornersOf(view);
+  mat2x3 horizon = axesAcross(normal);
+  vec2 turned = vec2(1.0, 0.0);  // along the horizon, from where the polygon goes below it to where it comes up
   vec3 sum = vec3(0.0);
-  vec3 left = vec3(0.0);   // where the polygon went below the horizon
-  vec3 first = vec3(0.0);  // where it came up first
-  bool below = false;
-  vec3 before = transform * cornerOf(view, count - 1u);
+  Outline outline = transformed(outlineOf(view), transform);
+  vec3 before = cornerOf(outline);
+  uint count = cornersOf(view);
   for (uint i = 0u; i < count; ++i) {
-    vec3 after = transform * cornerOf(view, i);
+    goOn(outline, view, i);
+    vec3 after = cornerOf(outline);
     float from = dot(before, normal);
     float to = dot(after, normal);
     vec3 crossing = before + (after - before) * (from / (from - to));
-    if (from <= 0.0 && to > 0.0) {
-      if (below)
-        sum += edgeOf(left, crossing);
-      else
-        first = crossing;
-      below = false;
-    }
-    if (from > 0.0 || to > 0.0)
-      sum += edgeOf(from > 0.0 ? before : crossing, to > 0.0 ? after : crossing);
-    if (from > 0.0 && to <= 0.0) {
-      left = crossing;
-      below = true;
+    if (from > 0.0 || to > 0.0) sum += edgeOf(from > 0.0 ? before : crossing, to > 0.0 ? after : crossing);
+    if ((from > 0.0) != (to > 0.0)) {
+      vec2 at = crossing * horizon;
+      at *= inversesqrt(max(dot(at, at), 1e-30));
+      turned = turnedBy(turned, from > 0.0 ? vec2(at.x, -at.y) : at);
     }
     before = after;
   }
-  if (below) sum += edgeOf(left, first);
+  if (turned.y != 0.0) sum += 0.5 * atan(turned.y, turned.x) * normal;
   return dot(sum, normal) < 0.0 ? -sum : sum;
 }
 
@@ -199,10 +227,11 @@ AreaSample sampleOf(AreaView view, vec2 at) {
   vec3 offset;
   float facing;
   if (view.shape == tubeShape) {
-    float angle = asin(clamp((2.0 * at.y - 1.0) * sin(view.edge), -1.0, 1.0));
+    float sine = (2.0 * at.y - 1.0) * view.edge.y;
+    vec2 angle = vec2(sqrt(1.0 - sine * sine), sine);
     offset = onTube(view, 2.0 * at.x - 1.0, angle);
-    vec3 normal = cos(angle) * view.v + sin(angle) * view.across;
-    facing = max(-dot(normal, offset), 0.0) / max(cos(angle), 1e-3);
+    vec3 normal = angle.x * view.v + angle.y * view.across;
+    facing = max(-dot(normal, offset), 0.0) / max(angle.x, 1e-3);
   } else {
     vec2 place = 2.0 * at - 1.0;
     if (view.shape == discShape)

@@ -6,6 +6,7 @@
 // corners, or those only nearly, slack sees to it.
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
+#include "lib/axes.glsl"
 #include "lib/lesser.glsl"
 #include "lib/ray_hierarchy.glsl"
 
@@ -27,16 +28,10 @@ Ray makeRay(vec3 origin, vec3 direction) {
   bvec3 small = lessThan(size, vec3(leastComponent));
   vec4 middleUnit = middleUnitOfBoxes();
   vec3 inverse = middleUnit.w / mix(direction, vec3(leastComponent), small);
-  vec3 unit = normalize(direction);
-  // Duff et al. 2017.
-  float s = unit.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (s + unit.z);
-  float b = unit.x * unit.y * a;
-  vec3 across = vec3(1.0 + s * unit.x * unit.x * a, s * b, -s * unit.x);
-  vec3 up = vec3(b, s + unit.y * unit.y * a, -unit.y);
+  mat2x3 across = axesAcross(normalize(direction));
   vec3 places = abs(origin);
   return Ray(origin, (origin - middleUnit.xyz) / middleUnit.w, inverse, lessThan(inverse, vec3(0.0)),
-             transpose(mat3(across, up, direction / dot(direction, direction))), largestOf(places));
+             transpose(mat3(across[0], across[1], direction / dot(direction, direction))), largestOf(places));
 }
 
 // Whether some of the box may lie between the ray's origin and `furthest`.

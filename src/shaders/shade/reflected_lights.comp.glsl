@@ -105,7 +105,7 @@ vec3 mirroredPlace(AreaView view, vec3 mirrored) {
     float along = dot(mirrored, across);
     float to = abs(along) > 1e-20 ? dot(view.middle, across) / along : 0.0;
     float part = dot(to * mirrored - view.middle, view.u) / max(dot(view.u, view.u), 1e-30);
-    return onTube(view, clamp(part, -1.0, 1.0), 0.0);
+    return onTube(view, clamp(part, -1.0, 1.0), vec2(1.0, 0.0));
   }
   vec3 normal = cross(view.u, view.v);
   float towards = dot(mirrored, normal);
