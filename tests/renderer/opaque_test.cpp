@@ -219,6 +219,21 @@ TEST_F(OpaqueTest, NothingIsLostInAWhiteFurnace) {
     }
 }
 
+// Head on a smooth surface without F₀ mirrors nothing, and tables go on beyond their ends.
+TEST_F(OpaqueTest, WhatMirrorsNothingHeadOnIsNotBelowBlack) {
+  for (const float roughness : {0.0F, 0.05F, 0.1F, 0.2F, 0.4F, 0.7F, 1.0F}) {
+    OpaqueMaterial black;
+    black.baseColor = {0, 0, 0};
+    black.specularColor = {1, 1, 0};
+    black.roughness = roughness;
+    Scene scene = squareOf(black);
+    scene.lighting.ambient = {1, 1, 1};
+    const Vector found = radianceAt(scene, 12, 17);
+    EXPECT_GE(found[2], 0) << roughness;
+    EXPECT_GT(found[0], 0.01) << roughness;
+  }
+}
+
 TEST_F(OpaqueTest, AlphaCutsHoles) {
   OpaqueMaterial material = mattMaterial({1, 1, 1});
   Texture texture;

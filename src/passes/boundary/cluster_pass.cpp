@@ -350,8 +350,9 @@ void ClusterPass::recordEntries(gpu::CommandList& commands, const EntryInputs& i
                  .tilts = inputs.tables.surfaces.tilts},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel});
-  commands.dispatchLinear(clusters.count);
+                 .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel,
+                 .skyIsDark = inputs.skyIsDark});
+  commands.dispatchLinear((inputs.lights + 1) * clusters.count);
   commands.endPass();
 }
 

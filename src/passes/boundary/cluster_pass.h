@@ -60,7 +60,9 @@ class ClusterPass {
     SceneTables& tables;
     Sky& sky;
     Surfels& surfels;
-    bool areaLights;  ///< there are some
+    std::uint32_t lights;  ///< of all kinds
+    bool areaLights;       ///< there are some
+    bool skyIsDark;
   };
   /// The light that enters.
   void recordEntries(gpu::CommandList& commands, const EntryInputs& inputs,

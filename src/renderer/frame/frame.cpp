@@ -117,10 +117,10 @@ struct FrameContext {
                                 plan.lights - plan.areaLights, plan.lights},
                                scene.surfels);
     if (usesClusters(plan))
-      passes.clusters.recordEntries(
-          commands,
-          {resources.view, mesh, resources.tables, resources.sky, scene.surfels, areaLights},
-          scene.clusters);
+      passes.clusters.recordEntries(commands,
+                                    {resources.view, mesh, resources.tables, resources.sky,
+                                     scene.surfels, plan.lights, areaLights, plan.skyIsDark},
+                                    scene.clusters);
   }
 
   void finishSurfels(SceneResources& scene) const {

@@ -1,4 +1,4 @@
-// The light that enters through the clusters in this frame, of each light by itself and of all that
+// The light that enters through the clusters in this frame, of each light by itself and, last, of all that
 // comes from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -38,6 +38,7 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint piecesPerSurfel;
   uint pieceCount;
+  uint skyIsDark;
 };
 
 // Of a light, by the cosine to the facet, so that no light is lost or gained. What of it is visible
@@ -119,16 +120,16 @@ Entry entryOf(uint first, uint end, Cluster cluster, bool takesLight, ObjectData
 }
 
 void main() {
-  uint i = linearIndex();
-  if (i >= clusterCount) return;
+  uint i = linearIndex() % clusterCount;
+  uint beam = linearIndex() / clusterCount;
+  if (beam > frame.counts.w) return;
+  bool isOfLight = beam < frame.counts.w;
   ClusterRange range = ranges[i];
   Cluster cluster = clusters[i];
   facing = range.side;
   ObjectData body = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
-  uint end = range.endSurfel * piecesPerSurfel;
+  uint end = isOfLight || skyIsDark == 0u ? range.endSurfel * piecesPerSurfel : first;
   bool takesLight = range.kind != openBody && range.kind != lining;
-  for (uint beam = 0u; beam <= allLightsAt(cluster.centroidArea.xyz); ++beam)
-    entries[beam * clusterCount + i] =
-        entryOf(first, end, cluster, takesLight, body, beam < frame.counts.w ? beam : everywhere);
+  entries[beam * clusterCount + i] = entryOf(first, end, cluster, takesLight, body, isOfLight ? beam : everywhere);
 }

@@ -15,10 +15,11 @@ vec2 glossOf(uint row, float cosine) {
   return mix(gloss[first], gloss[first + 1u], place - float(lower));
 }
 
+// A straight line may go below 0 where little is mirrored.
 vec2 glossOf(SeenMaterial material, float cosine) {
   float place = max(sqrt(material.diffuse.w) * float(glossEntries) - 0.5, 0.0);
   uint lower = min(uint(place), glossEntries - 2u);
-  return mix(glossOf(lower, cosine), glossOf(lower + 1u, cosine), place - float(lower));
+  return max(mix(glossOf(lower, cosine), glossOf(lower + 1u, cosine), place - float(lower)), 0.0);
 }
 
 // What a rough surface's facets send on to each other, over what they mirror once (Turquin 2019), so
