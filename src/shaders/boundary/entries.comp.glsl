@@ -87,7 +87,7 @@ bool isLit(uint piece, uint light) {
   return light == everywhere || visibilities[visibilityIndex(light, piece, pieceCount)] != 0u;
 }
 
-Entry entryOf(uint first, uint end, Cluster cluster, bool takesLight, ObjectData body, uint light) {
+Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light) {
   float area = 0.0;
   vec3 sum = vec3(0.0);
   vec3 weighted = vec3(0.0);
@@ -103,7 +103,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, bool takesLight, ObjectData
     normal += amount * shape.vectorArea;
     all += shape.area * amount;
   }
-  if (!takesLight || all <= 0.0 || area <= 0.0)
+  if (all <= 0.0 || area <= 0.0)
     return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
   vec3 place = weighted / all;
   vec3 start = cluster.start.xyz;
@@ -129,7 +129,7 @@ void main() {
   facing = range.side;
   ObjectData body = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
-  uint end = isOfLight || skyIsDark == 0u ? range.endSurfel * piecesPerSurfel : first;
-  bool takesLight = range.kind != openBody && range.kind != lining;
-  entries[beam * clusterCount + i] = entryOf(first, end, cluster, takesLight, body, isOfLight ? beam : everywhere);
+  bool takesLight = range.kind != openBody && range.kind != lining && (isOfLight || skyIsDark == 0u);
+  uint end = takesLight ? range.endSurfel * piecesPerSurfel : first;
+  entries[beam * clusterCount + i] = entryOf(first, end, cluster, body, isOfLight ? beam : everywhere);
 }

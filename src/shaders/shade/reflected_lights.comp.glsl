@@ -12,6 +12,7 @@
 #define BINDING_GLOSS 15
 #include "lib/frame.glsl"
 #include "lib/area_light.glsl"
+#include "lib/axes.glsl"
 #include "lib/gloss.glsl"
 #include "lib/lattice.glsl"
 #include "lib/material.glsl"
@@ -75,8 +76,7 @@ struct Lobe {
 };
 
 Lobe lobeOf(vec3 normal, vec3 mirrored, vec4 shape) {
-  vec3 helper = abs(normal.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-  vec3 away = unitOr(dot(mirrored, normal) * mirrored - normal, normalize(cross(normal, helper)));
+  vec3 away = unitOr(dot(mirrored, normal) * mirrored - normal, axesAcross(normal)[0]);
   return Lobe(cos(shape.x) * away - sin(shape.x) * mirrored, cross(mirrored, away),
               cos(shape.x) * mirrored + sin(shape.x) * away, shape);
 }
