@@ -235,7 +235,8 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
                 {.clusterCount = clusters.count,
                  .firstLight = beam.firstLight,
                  .lights = beams.lights,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .comesFromEverywhere = beam.firstLight == clusters.lights});
   // Most end before they meet the surface.
   commands.dispatchLinear(beams.lights * clusters.count * sharers_,
                           pathsOfBeam / sharers_ * roundsOfWalk);

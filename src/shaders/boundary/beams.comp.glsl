@@ -223,5 +223,5 @@ void main() {
   }
   if (mirrors != 0u) mirrored[beam] = goesOn;
   if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
-  strengths[beam] = vec4(power, packPointCounts(pointCount, cluster.second.rgb != vec3(0.0) ? secondPointsOf(pointCount) : 0u));
+  strengths[beam] = vec4(power, packPointCounts(pointCount, cluster.second.rgb != vec3(0.0) ? secondPointsOf(pointCount, everywhere) : 0u));
 }

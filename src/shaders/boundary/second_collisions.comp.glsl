@@ -29,6 +29,7 @@ layout(push_constant) uniform Push {
   uint firstLight;  // or the number of lights for what comes from everywhere
   uint lights;      // from that on
   uint piecesPerSurfel;
+  uint comesFromEverywhere;  // 1: the light
 };
 
 #include "lib/beam_body.glsl"
@@ -62,22 +63,23 @@ vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float sh
   return vec4(origin, 0.0);
 }
 
-// Light that collided at `place` with that share, the `which`-th of its cluster, goes on by the phase function and
-// as far as free paths go, by a lattice of low discrepancy (Roberts 2018) in the axes of the cluster, so that it
-// moves with that. Another shift for each point: what few directions miss, those beside have.
-vec4 scatterOn(Body body, uint i, uint which, uint d, vec3 arrival, vec4 place, int channel) {
+// Light that collided at `place` with that share goes on by the phase function and as far as free paths go, by a lattice
+// of low discrepancy (Roberts 2018) in the axes of the cluster, so that it moves with that. Another shift for each
+// cluster and point, by such lattices too: what few directions miss, those beside have.
+vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel) {
   const vec2 next = vec2(0.7548776662, 0.5698402910);
-  const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  vec3 shift = fract(float((i * maxFirstPoints + which) % 8192u) * shifts);
+  const vec3 ofClusters = vec3(0.8191725134, 0.6710436067, 0.5497004779);
+  const vec3 ofPoints = vec3(0.6180339887, next);
+  vec3 shift = fract(float(i % 8192u) * ofClusters + float(by.point) * ofPoints);
   vec3 normal = clusters[i].facet.xyz;
   vec3 along = clusters[i].along.xyz;
   float g = body.medium.collision.w;
   vec3 axis = g == 0.0 ? normal : arrival;
   if (g != 0.0) along = unitOr(along - dot(along, axis) * axis, normal);
-  float count = float(directionsFrom(which));
-  float part = (float(d) + shift.x) / count;
+  float count = float(by.directions);
+  float part = (float(by.direction) + shift.x) / count;
   float z = g == 0.0 ? 1.0 - 2.0 * part : cosineOfPart(part, g);
-  vec2 at = fract(shift.yz + float(d) * next);
+  vec2 at = fract(shift.yz + float(by.direction) * next);
   float angle = 2.0 * pi * at.x;
   vec3 around = cos(angle) * along + sin(angle) * cross(axis, along);
   vec3 direction = sqrt(max(1.0 - z * z, 0.0)) * around + z * axis;
@@ -94,18 +96,16 @@ void main() {
   vec3 followed = clusters[i].second.rgb;
   uint paths = 3u * unpackPointCounts(strengths[beam].w).y;
   Body body = bodyAt(clusters[i], objects[ranges[i].object], entries[light * clusterCount + i].place.xyz);
-  const uint ofSegment = directionsOfPoint * pointsOfFirstSegment;
   for (uint path = linearIndex() % sharers; path < paths; path += sharers) {
     uint second = path / 3u;
     int channel = int(path % 3u);
-    uint which = second < ofSegment ? second / directionsOfPoint : second - ofSegment + pointsOfFirstSegment;
-    uint d = second < ofSegment ? second % directionsOfPoint : 0u;
-    FirstCollision collision = collisions[beam * maxFirstPoints + which];
-    vec4 place = points[3u * (beam * maxPoints + which) + uint(channel)];
+    Path by = pathTo(second, comesFromEverywhere != 0u);
+    FirstCollision collision = collisions[beam * maxFirstPoints + by.point];
+    vec4 place = points[3u * (beam * maxPoints + by.point) + uint(channel)];
     place.xyz -= collision.onward[channel] * collision.arrival.xyz;
     points[3u * (beam * maxPoints + maxFirstPoints + second) + uint(channel)] =
         followed[channel] > 0.0 && place.w > 0.0
-            ? scatterOn(body, i, which, d, collision.arrival.xyz, place, channel)
+            ? scatterOn(body, i, by, collision.arrival.xyz, place, channel)
             : vec4(place.xyz, 0.0);
   }
 }
