@@ -137,8 +137,9 @@ OPALINE_BOUNDARY_CONSTANT maxReflections = 4u;
 OPALINE_BOUNDARY_CONSTANT maxFirstPoints =
     pointsOfFirstSegment + pointsOfReflection * maxReflections;
 /// In how many directions light is followed on from points of the first segment: from the last of
-/// them, which has a sixteenth of the light in a thick body, and from each of the others. What comes
-/// from everywhere enters everywhere, so that few are enough; points of reflections have one each.
+/// them, which has a sixteenth of the light in a thick body, and from each of the others. What
+/// comes from everywhere enters everywhere, so that few are enough; points of reflections have one
+/// each.
 OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 6u;
 OPALINE_BOUNDARY_CONSTANT directionsOfLastPoint = 2u;
 OPALINE_BOUNDARY_CONSTANT directionsOfEvenPoint = 4u;
