@@ -3,54 +3,38 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <map>
+#include <memory>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "bssrdf/fresnel.h"
 #include "bssrdf/half_space.h"
 #include "reference/path/layer.h"
-#include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
 #include "reference/path_fixture.h"
 #include "shared_files.h"
+#include "table.h"
 
 namespace opaline::reference {
 namespace {
 
 using std::numbers::pi;
+using test::number;
+using test::referenceTable;
+using test::Row;
+using test::rowsOf;
 
 int particlesOfTests() {
   const char* wanted = std::getenv("OPALINE_PATH_PARTICLES");  // for a closer look by hand
   return wanted == nullptr ? 4000 : std::atoi(wanted);
 }
 
-/// Rows of a table by the names of its columns; empty where the tables are not there.
-std::vector<std::map<std::string, std::string>> readTable(const std::string& name) {
-  std::ifstream file(test::referenceTable(name).value_or(""));
-  std::vector<std::map<std::string, std::string>> rows;
-  std::vector<std::string> columns;
-  for (std::string line; std::getline(file, line);) {
-    std::stringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-    if (columns.empty()) {
-      columns = words;
-      continue;
-    }
-    auto& row = rows.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = words.at(i);
-  }
-  return rows;
-}
-
-double number(const std::map<std::string, std::string>& row, const std::string& column) {
-  return std::stod(row.at(column));
+/// None where the tables are not there.
+std::vector<Row> readTable(const std::string& name) {
+  return rowsOf(referenceTable(name).value_or(""));
 }
 
 /// How many of the comparisons were out of three standard errors.

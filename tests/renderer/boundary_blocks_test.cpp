@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <numbers>
 #include <ostream>
@@ -18,6 +17,7 @@
 #include "opaline/media.h"
 #include "renderer/renderer_fixture.h"
 #include "shared_files.h"
+#include "table.h"
 
 namespace opaline {
 namespace {
@@ -39,42 +39,21 @@ struct Truth {
   Colour mean{};  ///< over the object
 };
 
-using Row = std::map<std::string, double>;
-
-std::vector<Row> rowsOf(const fs::path& file) {
-  std::ifstream in(file);
-  std::string line;
-  std::getline(in, line);
-  std::vector<std::string> names;
-  for (std::istringstream header(line); std::getline(header, line, ',');) names.push_back(line);
-  std::vector<Row> rows;
-  while (std::getline(in, line)) {
-    Row row;
-    std::istringstream cells(line);
-    for (const std::string& name : names) {
-      std::getline(cells, line, ',');
-      row[name] = std::stod(line);
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 /// Of columns with these prefixes; `covered` says how many pixels of a block the object has.
 Truth truthOf(const fs::path& file, const std::array<std::string, 2>& prefixes, const char* covered,
               double pixelsOfCovered) {
   Truth truth;
   double pixels = 0;
   for (const Row& row : rowsOf(file)) {
-    const double here = row.at(covered) * pixelsOfCovered;
+    const double here = number(row, covered) * pixelsOfCovered;
     if (here == 0) continue;
     pixels += here;
     std::array<Colour, 2>& block =
-        truth.blocks[{static_cast<int>(row.at("block_x")), static_cast<int>(row.at("block_y"))}];
+        truth.blocks[{std::stoi(row.at("block_x")), std::stoi(row.at("block_y"))}];
     constexpr std::array<const char*, 3> channels{"_r", "_g", "_b"};
     for (std::size_t run = 0; run < 2; ++run)
       for (std::size_t c = 0; c < 3; ++c) {
-        block[run][c] = row.at(prefixes[run] + channels[c]);
+        block[run][c] = number(row, prefixes[run] + channels[c]);
         truth.mean[c] += block[run][c] / 2 * blockEdge * blockEdge;
       }
   }

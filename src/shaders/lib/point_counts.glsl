@@ -1,4 +1,4 @@
-// A beam's numbers of points of first and of second collisions, and both in one float, exactly.
+// A beam's numbers of points of first and of second collisions, which come of which, and both in one float, exactly.
 #ifndef OPALINE_LIB_POINT_COUNTS
 #define OPALINE_LIB_POINT_COUNTS
 #include "shared/boundary.h"

@@ -4,20 +4,12 @@
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
-#include <cmath>
-#include <cstdint>
 #include <memory>
 #include <set>
 #include <string>
-#include <variant>
 
 #include "opaline/error.h"
-#include "opaline/image_file.h"
 #include "opaline/media.h"
-#include "scene/gltf/glb.h"
-#include "scene/material.h"
-#include "scene/random_scene.h"
-#include "scene/shapes.h"
 #include "scene/toml/keys.h"
 #include "scene/toml/writer_fixture.h"
 
