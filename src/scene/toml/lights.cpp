@@ -98,12 +98,6 @@ constexpr std::array<Reader, types.size()> readers{readDirectional, readPoint,  
 
 }  // namespace
 
-std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Vec3& centreMm) {
-  const auto offset = table.numbers(key, 3);
-  if (!offset) return std::nullopt;
-  return toFloat(toDouble(centreMm) + Double3{(*offset)[0], (*offset)[1], (*offset)[2]});
-}
-
 void readLight(const TomlTable& table, const Vec3& centreMm, Lighting& lighting) {
   const auto type = table.choice("type", types);
   if (!type) table.fail("", fmt::format("has no 'type': {}", fmt::join(types, ", ")));

@@ -23,6 +23,7 @@
 #include "scene/raw_scene.h"
 #include "scene/scene_source.h"
 #include "scene/text.h"
+#include "scene/toml/camera.h"
 #include "scene/toml/keys.h"
 #include "scene/toml/lights.h"
 #include "scene/toml/materials.h"
@@ -372,47 +373,6 @@ void frameBuiltIn(Assembly& to) {
   to.scene.camera = camera;
 }
 
-void readCamera(const TomlTable& root, Assembly& to) {
-  const auto table = root.table("camera");
-  if (!table) return;
-  table->requireKeys(keys::camera);
-  const auto direction = table->direction("direction");
-  const auto position = placeFrom(*table, "position_mm", to.centre);
-  const auto target = placeFrom(*table, "target_mm", to.centre);
-  if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
-  const bool placed = direction || position || target;
-  const std::optional<Camera> own = to.scene.camera;
-  Scene box;
-  for (const RawObject& object : to.scene.objects) {
-    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
-  }
-  Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
-                                             : *to.scene.camera;
-  if (direction && own) {
-    camera.targetMm = own->targetMm;
-    camera.positionMm =
-        toFloat(toDouble(own->targetMm) + distanceToTargetMm(*own) * toDouble(*direction));
-  }
-  if (position) camera.positionMm = *position;
-  if (target) camera.targetMm = *target;
-  if (target && direction) {
-    const double away = distanceToTargetMm(own.value_or(defaultCamera(box)));
-    camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
-  }
-  const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
-  if (!(length(view) > 0)) table->fail("", "looks at where it is");
-  if (placed) camera.up = usualUp(camera);
-  if (const auto up = table->vector("up")) {
-    if (*up == Vec3{}) table->fail("up", "must not be zero");
-    camera.up = *up;
-  }
-  const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);
-  chosen.applyTo(camera);
-  to.scene.camera = camera;
-  for (ClipChanges& changes : to.scene.changes) changes.cameras.clear();
-  to.scene.cameraChosen = to.scene.cameraChosen || position || target || !chosen.empty();
-}
-
 void readGround(const TomlTable& root, Assembly& to) {
   const auto table = root.table("ground");
   if (!table) return;
@@ -450,7 +410,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   assembly.centre = middleOf(boundsOf(assembly.scene));
   readLighting(root, assembly);
   frameBuiltIn(assembly);
-  readCamera(root, assembly);
+  readCamera(root, assembly.centre, assembly.scene);
   readGround(root, assembly);
   double factor = 1;
   if (options.diagonalMm) {

@@ -197,4 +197,10 @@ std::vector<std::pair<std::string, TomlTable>> TomlTable::subtables() const {
   return result;
 }
 
+std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Vec3& centreMm) {
+  const auto offset = table.numbers(key, 3);
+  if (!offset) return std::nullopt;
+  return toFloat(toDouble(centreMm) + Double3{(*offset)[0], (*offset)[1], (*offset)[2]});
+}
+
 }  // namespace opaline::scene

@@ -57,6 +57,9 @@ class TomlTable {
   std::string place_;  ///< "[camera]" for messages
 };
 
+/// A place that is given from the centre. In double precision every place can be given.
+std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Vec3& centreMm);
+
 /// What the table says of an Owner's options, by their older names too. Throws Error for an option
 /// under both of its names.
 template <typename Owner>

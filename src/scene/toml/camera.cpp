@@ -1,0 +1,51 @@
+#include "scene/toml/camera.h"
+
+#include "opaline/framing.h"
+#include "opaline/options/scene.h"
+#include "scene/toml/keys.h"
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+void readCamera(const TomlTable& root, const Vec3& centreMm, RawScene& scene) {
+  const auto table = root.table("camera");
+  if (!table) return;
+  table->requireKeys(keys::camera);
+  const auto direction = table->direction("direction");
+  const auto position = placeFrom(*table, "position_mm", centreMm);
+  const auto target = placeFrom(*table, "target_mm", centreMm);
+  if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
+  const bool placed = direction || position || target;
+  const std::optional<Camera> own = scene.camera;
+  Scene box;
+  for (const RawObject& object : scene.objects) {
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  }
+  Camera camera = placed || !scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
+                                          : *scene.camera;
+  if (direction && own) {
+    camera.targetMm = own->targetMm;
+    camera.positionMm =
+        toFloat(toDouble(own->targetMm) + distanceToTargetMm(*own) * toDouble(*direction));
+  }
+  if (position) camera.positionMm = *position;
+  if (target) camera.targetMm = *target;
+  if (target && direction) {
+    const double away = distanceToTargetMm(own.value_or(defaultCamera(box)));
+    camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
+  }
+  const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
+  if (!(length(view) > 0)) table->fail("", "looks at where it is");
+  if (placed) camera.up = usualUp(camera);
+  if (const auto up = table->vector("up")) {
+    if (*up == Vec3{}) table->fail("up", "must not be zero");
+    camera.up = *up;
+  }
+  const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);
+  chosen.applyTo(camera);
+  scene.camera = camera;
+  for (ClipChanges& changes : scene.changes) changes.cameras.clear();
+  scene.cameraChosen = scene.cameraChosen || position || target || !chosen.empty();
+}
+
+}  // namespace opaline::scene
