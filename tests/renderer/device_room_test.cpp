@@ -25,12 +25,12 @@ DeviceRoom roomWith(std::uint32_t bytes, std::uint32_t texels = UINT32_MAX) {
 }
 
 TEST(DeviceRoomTest, FollowsTheSmallerLimit) {
-  // 128 MiB, over three corners of 16 bytes, three sources of 32, and 37 points of light of 48.
+  // 128 MiB, over three corners of 16 bytes, three sources of 32, and 33 points of light of 48.
   constexpr std::uint32_t bytes = 1U << 27U;
   const DeviceRoom room = roomWith(bytes);
   EXPECT_EQ(room.triangles, bytes / 48);
   EXPECT_EQ(room.surfels, bytes / 96);
-  EXPECT_EQ(room.clusters, bytes / (37 * 48));
+  EXPECT_EQ(room.clusters, bytes / (33 * 48));
   const DeviceRoom ofTexels = roomWith(bytes, bytes / 32);
   EXPECT_EQ(ofTexels.triangles, bytes / 96);
   EXPECT_EQ(ofTexels.surfels, bytes / 192);

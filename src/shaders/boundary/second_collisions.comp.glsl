@@ -65,12 +65,11 @@ vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float sh
 
 // Light that collided at `place` with that share goes on by the phase function and as far as free paths go, by a lattice
 // of low discrepancy (Roberts 2018) in the axes of the cluster, so that it moves with that. Another shift for each
-// cluster and point, by such lattices too: what few directions miss, those beside have.
+// cluster and point, by such a lattice too, points half a step apart: what few directions miss, those beside have.
 vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel) {
   const vec2 next = vec2(0.7548776662, 0.5698402910);
-  const vec3 ofClusters = vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  const vec3 ofPoints = vec3(0.6180339887, next);
-  vec3 shift = fract(float(i % 8192u) * ofClusters + float(by.point) * ofPoints);
+  const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);
+  vec3 shift = fract((float(i % 8192u) + 0.5 * float(by.point)) * shifts);
   vec3 normal = clusters[i].facet.xyz;
   vec3 along = clusters[i].along.xyz;
   float g = body.medium.collision.w;
