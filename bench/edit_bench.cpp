@@ -41,8 +41,8 @@ Vec3 turned(const Vec3& v, float angle) {
 }
 
 Lighting turned(Lighting lighting, float angle) {
-  for (DirectionalLight& light : lighting.directional)
-    light.directionToLight = turned(light.directionToLight, angle);
+  Vec3& direction = lighting.directional.front().directionToLight;
+  direction = turned(direction, angle);
   return lighting;
 }
 

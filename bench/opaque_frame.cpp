@@ -74,7 +74,8 @@ class OpaqueFrame::Implementation {
     commands_.begin();
     motion_.record(commands_, deform_, {.seconds = seconds}, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
-    shadow_.record(commands_, view_, resources_.mesh, cutOuts, shadows_);
+    const passes::ShadowViews all((std::uint64_t{1} << view_.shadowViews) - 1);
+    shadow_.record(commands_, view_, resources_.mesh, cutOuts, all, shadows_);
     const passes::SeenSurfaces seen{view_, resources_.mesh, visible_};
     surface_.draw(commands_, seen, cutOuts, samplePattern(1), {});
     surface_.list(commands_, seen, 0, 1);

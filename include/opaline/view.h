@@ -90,7 +90,8 @@ struct FrameOrder {
                           ///< use the old division while another thread makes the new one
   bool reuseLight = false;  ///< the same picture, sooner: if only camera, size and samples changed
                             ///< since the view's last frame, reuse its light; if only lights did
-                            ///< as well, reuse what tells where everything lies
+                            ///< as well, reuse what tells where everything lies, and shadow maps of
+                            ///< lights that did not move; if only lights did, what pixels see
   /// Left on the device as well, as View::picture(Aov). Not those of the diffusion source map.
   std::vector<Aov> aovsOnDevice;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "shaders/binding_groups.h"
+#include "shaders/shared/frame.h"
 
 /// What the passes hand to each other. A pass knows these, never another pass.
 namespace opaline::passes {
@@ -145,6 +147,9 @@ struct FrameView {
 };
 
 /// Depth from the lights, one layer for each shadow view.
+/// Some of a frame's shadow views.
+using ShadowViews = std::bitset<shared::maxShadowViews>;
+
 struct ShadowMaps {
   gpu::GpuImage depth;
   gpu::Buffer drawn;  ///< some maps before they are copied there, where invocations draw triangles
@@ -320,6 +325,7 @@ struct VisibleSurfaces {
   gpu::Buffer list;          ///< surfaces; those of a pixel follow each other
   gpu::Buffer counts;        ///< shared::SeenCount, of all and of parts
   gpu::Buffer light;         ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::Buffer skyShares;     ///< float for each, of what it mirrors
   gpu::Buffer materials;     ///< shared::SeenMaterial for each, of opaque surfaces and such as have
                              ///< their own
   gpu::Buffer paint;    ///< vec4 for each: what has entered at the surface of painted bodies, then

@@ -26,6 +26,8 @@
 #include "renderer/frame/frame_queue.h"
 #include "renderer/frame/given_camera.h"
 #include "renderer/frame/light_views.h"
+#include "renderer/frame/shadow_reuse.h"
+#include "renderer/frame/sight_reuse.h"
 #include "renderer/frame/timing.h"
 #include "renderer/frame/view_resources.h"
 #include "renderer/scene/opaque_tables.h"
@@ -262,8 +264,12 @@ class View::Implementation {
           prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
       plan.shape =
           plan.light && prepared_->shape().mustFind(options_, plan, order.reuseLight, changes);
+      const GivenCamera given = givenCamera();
+      plan.sight = mustFindSight(options_, plan, order.reuseLight, changes, given.view, resources_);
+      const shared::FrameData data = frameOf(plan, given.view);
+      plan.shadows = shadowsToDraw(plan, order.reuseLight, changes, data, resources_);
       plan_ = plan;
-      fill(order, outputs);
+      fill(order, outputs, given, data);
       hand();
     });
     shown_ = order.onDevice;
@@ -300,16 +306,20 @@ class View::Implementation {
     resources_.forget();
   }
 
-  void fill(const FrameOrder& order, const DeviceOutputs& outputs) {
-    const Scene& scene = context_.edited.scene();
+  shared::FrameData frameOf(const FramePlan& plan, const CameraView& camera) const {
+    const EditedScene& edited = context_.edited;
+    shared::FrameData data =
+        makeFrameData(edited.lighting(), camera, options_.shadowSize, plan.samples);
+    data.cameraAxis.w = groundOf(edited.scene()) ? 1.0F : 0.0F;
+    return data;
+  }
+
+  void fill(const FrameOrder& order, const DeviceOutputs& outputs, const GivenCamera& given,
+            const shared::FrameData& data) {
     SceneResources& prepared = prepared_->scene();
     FrameResources& resources = resources_.made();
-    const GivenCamera given = givenCamera();
     const CameraView& camera = given.view;
     frameData_.nextFrame();
-    shared::FrameData data =
-        makeFrameData(context_.edited.lighting(), camera, options_.shadowSize, plan_.samples);
-    data.cameraAxis.w = groundOf(scene) ? 1.0F : 0.0F;
     const FrameUpload upload{frameData_.buffer(), frameData_.push(data)};
 
     FrameSlot& slot = queue_.next();

@@ -95,7 +95,7 @@ TEST_F(ShapeReuseTest, WhatALightDoesNotMoveIsKept) {
     change.make(renderer(), view);
     const Image kept = view.render({.reuseLight = true}).images[0];
     EXPECT_EQ(runs(view, "deform"), change.movesShape);
-    EXPECT_TRUE(runs(view, "shadow"));
+    EXPECT_TRUE(runs(view, "gather"));
     const Image whole = view.render().images[0];
     EXPECT_TRUE(runs(view, "deform"));
     EXPECT_EQ(kept.rgba, whole.rgba);
@@ -145,7 +145,7 @@ TEST_F(ShapeReuseTest, TimeThatMovesLightsOrTheCameraAloneKeepsTheShape) {
     renderer().setTime({.seconds = 0.5});
     const Image kept = view.render({.reuseLight = true}).images[0];
     EXPECT_FALSE(runs(view, "deform"));
-    EXPECT_EQ(runs(view, "shadow"), movesLight);
+    EXPECT_EQ(runs(view, "gather"), movesLight);
     EXPECT_NE(kept.rgba, before.rgba);
     EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
   };

@@ -58,12 +58,19 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
 
 // Several views at once, as many as there is room for.
 void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& frame,
-                                     DeformedMesh& mesh, ShadowMaps& maps) const {
+                                     DeformedMesh& mesh, const ShadowViews& wanted,
+                                     ShadowMaps& maps) const {
   const std::uint32_t size = maps.depth.extent().width;
   const std::uint32_t triangles = mesh.castingIndexCount / 3;
   const RasterBands bands = rasterBands(triangles, size);
-  for (std::uint32_t first = 0; first < frame.shadowViews; first += maps.roomForViews) {
-    const std::uint32_t views = std::min(maps.roomForViews, frame.shadowViews - first);
+  for (std::uint32_t first = 0; first < wanted.size();) {
+    std::uint32_t views = 0;
+    while (views < maps.roomForViews && first + views < wanted.size() && wanted[first + views])
+      ++views;
+    if (views == 0) {
+      ++first;
+      continue;
+    }
     commands.fill({maps.drawn}, 0);
     commands.bind(depths_,
                   {.frame = frame.data,
@@ -74,6 +81,7 @@ void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& fram
     commands.dispatch(bands.groups, bands.count, views);
     for (std::uint32_t view = 0; view < views; ++view)
       commands.copyToImage(maps.drawn, maps.depth, first + view, 0, view * bytesOfMap(size));
+    first += views;
   }
 }
 
@@ -91,19 +99,21 @@ void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, Deform
 }
 
 void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-                        const CutOuts& cutOuts, ShadowMaps& maps) const {
+                        const CutOuts& cutOuts, const ShadowViews& views, ShadowMaps& maps) const {
+  if (views.none()) return;
   commands.beginPass("shadow");
   if (maps.drawn)
-    recordByInvocations(commands, frame, mesh, maps);
+    recordByInvocations(commands, frame, mesh, views, maps);
   else
-    draw(commands, frame, mesh, cutOuts, maps);
+    draw(commands, frame, mesh, cutOuts, views, maps);
   commands.endPass();
 }
 
 void ShadowPass::draw(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-                      const CutOuts& cutOuts, ShadowMaps& maps) const {
+                      const CutOuts& cutOuts, const ShadowViews& views, ShadowMaps& maps) const {
   commands.use(mesh.indices, gpu::Access::Index);
-  for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
+  for (std::uint32_t view = 0; view < views.size(); ++view) {
+    if (!views[view]) continue;
     // What it reads is ordered before the drawing begins.
     if (!mesh.cutOut.empty()) bindCutOut(commands, frame, mesh, cutOuts, view);
     commands.bind(pipeline_, {.frame = frame.data, .positions = mesh.positions}, {},

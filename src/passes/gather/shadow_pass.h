@@ -16,7 +16,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// Draws the depth of the scene for every shadow view of the frame. Williams 1978.
+/// Draws the depth of the scene for shadow views of the frame. Williams 1978.
 class ShadowPass {
  public:
   explicit ShadowPass(gpu::Device& device);
@@ -28,13 +28,13 @@ class ShadowPass {
 
   /// `maps.depth` has at least as many layers as the frame has shadow views.
   void record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-              const CutOuts& cutOuts, ShadowMaps& maps) const;
+              const CutOuts& cutOuts, const ShadowViews& views, ShadowMaps& maps) const;
 
  private:
   void draw(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-            const CutOuts& cutOuts, ShadowMaps& maps) const;
+            const CutOuts& cutOuts, const ShadowViews& views, ShadowMaps& maps) const;
   void recordByInvocations(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-                           ShadowMaps& maps) const;
+                           const ShadowViews& views, ShadowMaps& maps) const;
   void bindCutOut(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
                   const CutOuts& cutOuts, std::uint32_t view) const;
 

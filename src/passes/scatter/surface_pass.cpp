@@ -146,6 +146,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   };
   made.counts = countsOfParts("number of seen surfaces");
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
+  made.skyShares = makeRoom<float>(device, "shares of reflected sky", room);
   made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
                                                   kept.materials ? room : 0);
   made.paint = makeRoom<shared::vec4>(device, "paint of seen surfaces", kept.paint ? room : 0);
@@ -328,6 +329,14 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                  .entryOfPixel = surfaces.entryOfPixel},
                 {.samples = samples, .firstRow = firstRow});
   dispatchTiles();
+  commands.endPass();
+}
+
+void SurfacePass::askAnew(gpu::CommandList& commands, VisibleSurfaces& surfaces) {
+  commands.beginPass("surface");
+  commands.fill({surfaces.countsOf(Asked::Knots), surfaces.countsOf(Asked::InWideBlocks),
+                 surfaces.countsOf(Asked::InNarrowBlocks)},
+                0);
   commands.endPass();
 }
 

@@ -50,6 +50,9 @@ class SurfacePass {
   void list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
             std::uint32_t samples) const;
 
+  /// Of a band that is listed already: nothing on the list has been asked for its sum.
+  static void askAnew(gpu::CommandList& commands, VisibleSurfaces& surfaces);
+
  private:
   void bindCutOut(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                   shared::vec2 jitter) const;

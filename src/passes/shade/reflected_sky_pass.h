@@ -30,8 +30,7 @@ class ReflectedSkyPass {
     std::uint32_t samples;  ///< of a pixel
     float roughness;
   };
-  /// Of the band of the picture from `firstRow` on. Leaves it in the last channel of
-  /// VisibleSurfaces::light.
+  /// Of the band of the picture from `firstRow` on. Leaves it in VisibleSurfaces::skyShares.
   void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
               const SeenSurfaces& seen) const;
 

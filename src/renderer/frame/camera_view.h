@@ -17,6 +17,8 @@ struct CameraView {
   glm::vec3 position{0};
   glm::vec3 axis{0, 0, -1};  ///< unit, towards the scene
   bool isParallel = false;   ///< orthographic
+
+  bool operator==(const CameraView&) const = default;
 };
 
 /// With a near plane of 1 mm; passes::FitPass moves it. In place of the depth of an orthographic

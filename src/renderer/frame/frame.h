@@ -21,9 +21,8 @@ struct FrameUpload {
 };
 
 /// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
-/// vertices, all of which a plan without `light` leaves out, then the surfaces that pixels see,
-/// scattering at fragments and shading, for one band of the picture after the other. A plan that
-/// does not `scatter` leaves the exitance as it was.
+/// vertices, all of which a plan without `light` leaves out, then what the picture shows. A plan
+/// that does not `scatter` leaves the exitance as it was.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);

@@ -63,6 +63,10 @@ bool onSurfels(const FramePlan& plan) {
   return plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance);
 }
 
+bool drawsShadows(const FramePlan& plan) {
+  return onSurfels(plan) || plan.map;
+}
+
 bool carriesOpaque(const FramePlan& plan) {
   return plan.opaque && plan.sum != Sum::Pattern && plan.scatter;
 }

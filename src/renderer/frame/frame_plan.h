@@ -46,12 +46,18 @@ struct FramePlan {
   bool mirrorsBodies = false;  ///< in that of translucent surfaces, by their own light
   bool light = true;  ///< else the resources hold what this frame's light does, from before
   bool shape = true;  ///< else they hold where everything lies; not without light
+  bool sight = true;  ///< else they hold what pixels see, and how much of the sky that mirrors; not
+                      ///< without their centres
+  passes::ShadowViews shadows;  ///< maps to draw; of the others they hold what this frame needs
 };
 
 /// Whether light is found on surfels, what of it needs clusters, and whether it sends rays.
 bool onSurfels(const FramePlan& plan);
 bool usesClusters(const FramePlan& plan);
 bool sendsRays(const FramePlan& plan);
+
+/// Whether light, where it is found, needs shadow maps.
+bool drawsShadows(const FramePlan& plan);
 
 /// Whether light in bodies is found by the boundary's equation.
 bool solves(const FramePlan& plan);

@@ -44,13 +44,13 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool sky = surface || before->changes.sky != changes.sky || (glossy && !made_.sky.glossy);
   const std::uint32_t views = shadowViewCount(lighting);
   const bool cutOut = !scene.mesh.cutOut.empty();
-  const bool shadows = whole || made_.view.shadowViews != views ||
-                       before->options.shadowSize != options.shadowSize ||
-                       made_.shadows.cutOut != cutOut;
+  const bool newShadows = whole || made_.view.shadowViews != views ||
+                          before->options.shadowSize != options.shadowSize ||
+                          made_.shadows.cutOut != cutOut;
 
   if (whole) dropAllButPicture();
   if (size || media || transport || pattern) made_.map.reset();
-  if (shadows || surface || pattern) lit.reset();
+  if (newShadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
   if (media || transport || surface)
     makeTables(device_, passes_, scene, options, edited.scene(), made_);
@@ -60,7 +60,10 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
   makeRoom(plan, lighting, cutOut);
-  if (shadows) makeShadows(device_, lighting, options, cutOut, made_);
+  if (newShadows) {
+    shadows.reset();
+    makeShadows(device_, lighting, options, cutOut, made_);
+  }
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
     made_.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made_.radiance.extent());
@@ -77,6 +80,8 @@ void ViewResources::forget() {
   dropAllButPicture();
   made_.radiance.forget();
   lit.reset();
+  sight.reset();
+  shadows.reset();
   for_.reset();
 }
 
@@ -133,6 +138,7 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
           surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && !lighting.areas.empty()),
       .drawn = surfaces.kept.drawn || (!showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
+    sight.reset();
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);
   }

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "opaline/render_options.h"
 #include "opaline/scene.h"
+#include "renderer/frame/camera_view.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/frame_resources.h"
 #include "renderer/scene/edited_scene.h"
 #include "renderer/scene/scene_changes.h"
 #include "renderer/scene/scene_resources.h"
+#include "shaders/shared/frame.h"
 
 namespace opaline {
 
@@ -38,6 +41,27 @@ class ViewResources {
     bool rays = false;  ///< the surface is ready for them
   };
   std::optional<Lit> lit;
+
+  /// The frame whose shadow maps they hold; none where these were made anew.
+  struct Shadows {
+    SceneChanges changes;  ///< but of lights and sky
+    std::array<shared::LightData, shared::maxLights> lights;
+  };
+  std::optional<Shadows> shadows;
+
+  /// The picture whose surfaces they hold; none where their room was made anew, or something else
+  /// has taken it.
+  struct Sight {
+    SceneChanges changes;  ///< but of lights and sky
+    CameraView camera;
+    int antialias = 0;
+    float roughness = 0;
+    bool mirrorsSky = false;
+    bool backdrop = false;
+
+    bool operator==(const Sight&) const = default;
+  };
+  std::optional<Sight> sight;
 
  private:
   /// What they were made for.

@@ -15,7 +15,7 @@
 #include "lib/listing.glsl"
 #include "lib/sky_block.glsl"
 
-layout(std430, set = 0, binding = 5) buffer Light { vec4 light[]; };  // the share in w
+layout(std430, set = 0, binding = 5) writeonly buffer SkyShares { float skyShares[]; };
 layout(set = 0, binding = 6) uniform sampler2D skyBlocks;
 
 // An entry that has to be asked, or noSurface.
@@ -23,7 +23,7 @@ uint askedOf(Seen seen) {
   float share = texelFetch(skyBlocks, seen.pixel / 2, 0).r;
   if (!seen.there || isOpaque(objects[objectOfTriangle(triangleOf(seen.word))])) return noSurface;
   if (share == unknownShare) return seen.entry;
-  light[seen.entry].w = share;
+  skyShares[seen.entry] = share;
   return noSurface;
 }
 

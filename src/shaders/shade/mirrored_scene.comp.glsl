@@ -24,7 +24,7 @@ layout(std430, set = 0, binding = 7) buffer Materials { SeenMaterial materials[]
 layout(std430, set = 0, binding = 8) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
-layout(std430, set = 0, binding = 17) readonly buffer Light { vec4 light[]; };
+layout(std430, set = 0, binding = 17) readonly buffer SkyShares { float skyShares[]; };
 
 // Of the first surfaces of a band's pixels: radiance of the bodies that some rays meet, by how many in w.
 layout(std430, set = 0, binding = 18) buffer Met { vec4 met[]; };
@@ -33,7 +33,7 @@ layout(push_constant) uniform Push {
   uint first;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
-  uint translucent;  // 1: translucent surfaces too, of which `light` says how much they mirror of the sky
+  uint translucent;  // 1: translucent surfaces too, of which `skyShares` says how much they mirror of the sky
   uint insides;      // 1: light that leaves bodies with an inside is known
   float alpha;       // of translucent surfaces that have none of their own
   uint ownSurfaces;  // 1: `materials` has the roughness and the normal of translucent surfaces too
@@ -151,7 +151,7 @@ vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
 
 // Else nothing but sky.
 bool mirrorsBodies(Seen seen) {
-  return light[seen.entry].w < 1.0;
+  return skyShares[seen.entry] < 1.0;
 }
 
 vec4 bodiesAround(Seen seen, MeshPlace place, Mirror mirror) {

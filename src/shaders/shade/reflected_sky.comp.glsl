@@ -15,7 +15,7 @@
 #include "lib/sky_rays.glsl"
 #include "shared/opaque.h"
 
-layout(std430, set = 0, binding = 7) buffer Light { vec4 light[]; };  // the share in w
+layout(std430, set = 0, binding = 7) writeonly buffer SkyShares { float skyShares[]; };
 
 // Some translucent surfaces have a roughness or normals of their own.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
@@ -47,5 +47,5 @@ void main() {
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   Mirror mirror = Mirror(alpha, place.normal);
   if (withOwnSurfaces != 0u) mirror = Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
-  light[seen.entry].w = shareOfSky(place, mirror, samplesOf(seen.word));
+  skyShares[seen.entry] = shareOfSky(place, mirror, samplesOf(seen.word));
 }

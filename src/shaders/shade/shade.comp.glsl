@@ -22,7 +22,7 @@
 #include "lib/specular_albedo.glsl"
 #include "shared/opaque.h"
 
-// What has scattered; in w how much of what is mirrored is sky. After it, radiance by coverage.
+// What has scattered. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 
 // Of what leaves painted bodies, what goes towards the camera, over that without paint.
@@ -35,12 +35,13 @@ layout(std430, set = 0, binding = 16) readonly buffer Materials { SeenMaterial m
 layout(set = 0, binding = 17) uniform samplerCubeArray glossySky;
 
 layout(std430, set = 0, binding = 19) readonly buffer Origins { vec4 origins[]; };
+layout(std430, set = 0, binding = 20) readonly buffer SkyShares { float skyShares[]; };  // of what is mirrored
 
 layout(push_constant) uniform Push {
   uint atFragments;  // what has scattered stands in `light`, else at the vertices
   float alpha;       // of the GGX reflection
   uint specular;
-  uint skyIsMirrored;  // some of it, as `light` has it; else all or none
+  uint skyIsMirrored;  // some of it, as `skyShares` has it; else all or none
   uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
   uint leavesSmooth;  // light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
   uint byOrigin;  // as exitLaw() has it, else evenly
@@ -110,14 +111,13 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   float mirrored = mirroredShare(medium, mirror, cosine);
   bool smoothly = specular == 0u || leavesSmooth != 0u;
   float kept = smoothly ? fresnelReflectance(medium.boundary.x, cosine) : mirrored;
-  vec4 found = light[seen.entry];
-  vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
+  vec3 left = atFragments != 0u ? light[seen.entry].rgb : meshExitanceAt(place).rgb;
   vec3 scattered = left * ((1.0 - kept) * medium.boundary.y);
   if (byOrigin != 0u)
     scattered *= exitLaw(medium, cosine, atFragments != 0u ? origins[seen.entry] : meshOriginAt(place));
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
-  float sky = skyIsMirrored != 0u ? found.w : 1.0;
+  float sky = skyIsMirrored != 0u ? skyShares[seen.entry] : 1.0;
   vec3 bodies = left / pi;
   if (bodiesAreMirrored != 0u && materials[seen.entry].around.w > 0.0) bodies = materials[seen.entry].around.rgb;
   NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);

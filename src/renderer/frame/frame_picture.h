@@ -1,0 +1,14 @@
+#pragma once
+
+#include "renderer/frame/frame_context.h"
+
+namespace opaline {
+
+/// Records what the pixels' centres see, and what is asked of it.
+void lookAtCentres(const FrameContext& frame);
+
+/// Records the surfaces that pixels see, scattering at fragments and shading, for one band of the
+/// picture after the other. A plan without `sight` has the surfaces from before.
+void makePicture(const FrameContext& frame);
+
+}  // namespace opaline

@@ -1,0 +1,24 @@
+#include "renderer/frame/sight_reuse.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace opaline {
+
+bool mustFindSight(const RenderOptions& options, const FramePlan& plan, bool reuse,
+                   const SceneChanges& changes, const CameraView& camera, ViewResources& view) {
+  if (plan.centre) view.sight.reset();  // it takes the same room
+  if (plan.samples == 0) return true;
+  ViewResources::Sight now{changes,        camera,          options.antialias,
+                           plan.roughness, plan.mirrorsSky, plan.backdrop};
+  now.changes.lights = 0;
+  now.changes.sky = 0;
+  const auto before = std::exchange(view.sight, now);
+  // Of several bands the room holds the last.
+  const auto rows = static_cast<std::uint32_t>(options.height);
+  const bool whole = view.made().surfaces.rowsOfBand >= rows;
+  return !(reuse && whole && !plan.visibleLights && before == now);
+}
+
+}  // namespace opaline
