@@ -162,6 +162,21 @@ TEST_F(SightTest, APictureOfSeveralBandsKeepsNone) {
   EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
 }
 
+// What is behind surfaces shows at their edges.
+TEST_F(SightTest, TheEnvironmentIsBehind) {
+  Scene scene = wobblyBall();
+  scene.lighting.environment = std::make_shared<const Image>(gradient());
+  renderer().setScene(scene);
+  RenderOptions options = optionsOf(methods[0]);
+  options.environmentBehind = true;
+  options.antialias = 4;
+  View view(renderer(), options);
+  view.render();
+  renderer().setLighting(turned(scene.lighting));
+  const Image kept = view.render({.reuseLight = true}).images[0];
+  EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
+}
+
 // A light that the picture shows is a surface of it.
 TEST_F(SightTest, AVisibleLightMoves) {
   Scene scene = wobblyBall();

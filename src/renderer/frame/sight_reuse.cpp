@@ -15,10 +15,11 @@ bool mustFindSight(const RenderOptions& options, const FramePlan& plan, bool reu
   now.changes.lights = 0;
   now.changes.sky = 0;
   const auto before = std::exchange(view.sight, now);
-  // Of several bands the room holds the last.
+  // Of several bands the room holds the last. A backdrop asks what each sample sees, before a list
+  // of surfaces takes the place of that; it may show lights, too.
   const auto rows = static_cast<std::uint32_t>(options.height);
   const bool whole = view.made().surfaces.rowsOfBand >= rows;
-  return !(reuse && whole && !plan.visibleLights && before == now);
+  return !(reuse && whole && !plan.backdrop && before == now);
 }
 
 }  // namespace opaline
