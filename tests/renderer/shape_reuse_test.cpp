@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "renderer/renderer_fixture.h"
@@ -10,12 +9,6 @@
 
 namespace opaline::test {
 namespace {
-
-Lighting turned(Lighting lighting) {
-  std::swap(lighting.directional[0].directionToLight[0],
-            lighting.directional[0].directionToLight[2]);
-  return lighting;
-}
 
 struct Change {
   const char* name;

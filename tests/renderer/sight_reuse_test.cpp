@@ -12,13 +12,6 @@
 namespace opaline::test {
 namespace {
 
-/// One light alone turns, the first.
-Lighting turned(Lighting lighting) {
-  std::swap(lighting.directional[0].directionToLight[0],
-            lighting.directional[0].directionToLight[2]);
-  return lighting;
-}
-
 struct Change {
   const char* name;
   std::function<void(Renderer&, View&)> make;

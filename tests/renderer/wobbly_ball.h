@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "renderer/renderer_fixture.h"
@@ -20,6 +21,13 @@ inline Scene wobblyBall() {
   scene.lighting.directional.push_back({{0, 0.6F, -0.8F}, {3, 3, 3}});
   scene.deformers.push_back({DeformerKind::Twist, 0.4F, 0});
   return scene;
+}
+
+/// The first light, and no other.
+inline Lighting turned(Lighting lighting) {
+  std::swap(lighting.directional[0].directionToLight[0],
+            lighting.directional[0].directionToLight[2]);
+  return lighting;
 }
 
 inline Image gradient() {

@@ -51,8 +51,6 @@ struct LightOfFrame : FrameContext {
     if (!drawsShadows(plan)) return;
     passes.shadow.record(commands, resources.view, scene.mesh, cutOuts(), plan.shadows,
                          resources.shadows);
-    // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
-    // much of the sky is seen from clusters.
     if (onSurfels(plan))
       passes.surfels.gather(commands,
                             {resources.view, scene.mesh, resources.tables, resources.shadows,

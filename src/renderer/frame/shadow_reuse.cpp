@@ -23,9 +23,7 @@ passes::ShadowViews shadowsToDraw(const FramePlan& plan, bool reuse, const Scene
                                   const shared::FrameData& frame, ViewResources& view) {
   passes::ShadowViews views;
   if (!plan.light || !drawsShadows(plan)) return views;
-  ViewResources::Shadows now{changes, {}};
-  now.changes.lights = 0;
-  now.changes.sky = 0;
+  ViewResources::Shadows now{changes.withoutLight(), {}};
   std::copy_n(frame.lights, now.lights.size(), now.lights.begin());
   const auto before = std::exchange(view.shadows, now);
   const bool kept = reuse && before && before->changes == now.changes;

@@ -10,10 +10,8 @@ bool mustFindSight(const RenderOptions& options, const FramePlan& plan, bool reu
                    const SceneChanges& changes, const CameraView& camera, ViewResources& view) {
   if (plan.centre) view.sight.reset();  // it takes the same room
   if (plan.samples == 0) return true;
-  ViewResources::Sight now{changes,        camera,          options.antialias,
-                           plan.roughness, plan.mirrorsSky, plan.backdrop};
-  now.changes.lights = 0;
-  now.changes.sky = 0;
+  const ViewResources::Sight now{changes.withoutLight(), camera,          options.antialias,
+                                 plan.roughness,         plan.mirrorsSky, plan.backdrop};
   const auto before = std::exchange(view.sight, now);
   // Of several bands the room holds the last. A backdrop asks what each sample sees, before a list
   // of surfaces takes the place of that; it may show lights, too.

@@ -44,7 +44,7 @@ class ViewResources {
 
   /// The frame whose shadow maps they hold; none where these were made anew.
   struct Shadows {
-    SceneChanges changes;  ///< but of lights and sky
+    SceneChanges changes;  ///< SceneChanges::withoutLight()
     std::array<shared::LightData, shared::maxLights> lights;
   };
   std::optional<Shadows> shadows;
@@ -52,7 +52,7 @@ class ViewResources {
   /// The picture whose surfaces they hold; none where their room was made anew, or something else
   /// has taken it.
   struct Sight {
-    SceneChanges changes;  ///< but of lights and sky
+    SceneChanges changes;  ///< SceneChanges::withoutLight()
     CameraView camera;
     int antialias = 0;
     float roughness = 0;

@@ -12,6 +12,9 @@ struct SceneChanges {
   std::uint64_t lights = 0;  ///< any light
   std::uint64_t pose = 0;    ///< where the vertices lie
 
+  /// But of lights and sky.
+  SceneChanges withoutLight() const { return {.whole = whole, .media = media, .pose = pose}; }
+
   bool operator==(const SceneChanges&) const = default;
 };
 
