@@ -156,9 +156,9 @@ const std::vector<Deformer> twistedAndBent{{DeformerKind::Twist, 2, 0}, {Deforme
 // In green and blue skin absorbs too much for diffusion: a third and more of what collides.
 INSTANTIATE_TEST_SUITE_P(
     FromBehind, BoundaryBlocksTest,
-    testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.065, 0.07}, {0.05, 0.05}},
+    testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.05, 0.055}, {0.043, 0.042}},
                     BlocksCase{"marble", bunny, "marble", {0.04, 0.04}, {0.04, 0.04}},
-                    BlocksCase{"skin1", bunny, "skin1", {0.09, 0.085}, {0.055, 0.06}},
+                    BlocksCase{"skin1", bunny, "skin1", {0.088, 0.083}, {0.048, 0.05}},
                     BlocksCase{
                         "twisted", bunny, "marble", {0.05, 0.05}, {0.04, 0.04}, twistedAndBent}),
     [](const auto& blocks) { return std::string(blocks.param.name); });

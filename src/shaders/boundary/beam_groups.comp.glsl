@@ -46,7 +46,7 @@ uint sliceBegin;
 uint sliceEnd;
 
 vec3 placeOf(uint cluster) {
-  return texelOf(clusterTexels, 7 * int(cluster)).xyz;
+  return texelOf(clusterTexels, int(texelsOfCluster * cluster)).xyz;
 }
 
 Around aroundGroup() {

@@ -52,6 +52,8 @@ void main() {
   float square = 0.0;
   float radius = 0.0;
   float least = 3e38;
+  float turned = 0.0;
+  float spread = 0.0;
   uint nearest = first;
   Moment moment = Moment(vec4(0.0), vec2(0.0));
   for (uint k = first; k < end; ++k) {
@@ -63,6 +65,8 @@ void main() {
       square += shape.area / 3.0 * dot(between, between);
     }
     vec3 offset = middleOf(shape) - middle;
+    turned += dot(offset, shape.vectorArea);
+    spread += shape.area * dot(offset, offset);
     Moment shifted = momentOfArea(shape.vectorArea, offset);
     moment.first += shifted.first;
     moment.rest += shifted.rest;
@@ -77,9 +81,12 @@ void main() {
   vec3 facet = unitOr(there.vectorArea, normal);
   vec3 along = unitOr(there.corners[1] - there.corners[0], vec3(1.0, 0.0, 0.0));
 
+  // On a sphere of radius R about the origin, the normal at x is x/R.
+  float mostCurved = 1.0 / max(radius, 1e-30);
+  float curvature = clamp(turned / max(spread, 1e-30), -mostCurved, mostCurved);
   float reach = range.kind == lining ? 0.0 : max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
-                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0));
+                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0), vec4(vec3(1.0), curvature));
   if (!boundsDiffusion(range.kind)) {
     cluster.centroidArea.w = 0.0;
     cluster.vectorArea = vec4(0.0);

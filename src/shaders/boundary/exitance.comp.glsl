@@ -80,7 +80,7 @@ void main() {
     return;
   }
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
-  vec3 leaves = fluenceOf(i) / (2.0 * medium.diffusion.w);
+  vec3 leaves = clusters[i].escape.rgb * fluenceOf(i) / (2.0 * medium.diffusion.w);
   if (scattersOnce != 0u) leaves += latest[i].rgb;
   vec3 enters = vec3(0.0);
   if (atSurface != 0u && ranges[i].kind == bodyWithInside)

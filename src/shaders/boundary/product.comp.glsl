@@ -1,5 +1,5 @@
 // The operator of the boundary's equation on a fluence:
-//   c_i φ_i + S_ii φ_i / 2A + Σ_j [S_ij / 2A + K_ij] φ_j,  S = e^{-σr} / 4πDr,
+//   c_i φ_i + S_ii φ_i / 2A_i + Σ_j [S_ij / 2A_j + K_ij] φ_j,  S = e^{-σr} / 4πDr,
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
 // With its inner products, weighted by area: with each vector of the basis so far, then with itself, one
 // sum a tile. The first step, 0, takes the right side instead: the sources, less what c and K give of
@@ -134,7 +134,7 @@ vec3 productOf(uint i, vec3 sum) {
   vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = basis[(step - 1u) * clusterCount + i].rgb;
   float share = clamp(cluster.vectorArea.w, leastShare, 1.0);
-  return sum / (4.0 * pi) + fluence * (share + layerOf(i) * own / (2.0 * medium.diffusion.w));
+  return sum / (4.0 * pi) + fluence * (share + layerOf(i) * cluster.escape.rgb * own / (2.0 * medium.diffusion.w));
 }
 
 vec3 enteredFluence(uint i) {

@@ -46,13 +46,8 @@ vec3 arrivalAt(uint beam, uint p) {
 }
 
 // Of the light that entered, what a cluster's points of second collisions are given as sources of fluence.
-// Near the surface of what absorbs, diffusion has too much light. What leaves a half-space says by how
-// much: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and η up to 1.5.
 vec3 shareOfSecond(Cluster cluster, BoundaryMedium medium) {
-  vec3 dark = 1.0 - medium.albedo.rgb;
-  float a = medium.diffusion.w;
-  vec3 tooMuch = 1.0 + (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
-  return cluster.second.rgb * medium.scatters.rgb / tooMuch;
+  return cluster.second.rgb * medium.scatters.rgb;
 }
 
 #endif

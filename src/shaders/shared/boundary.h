@@ -73,7 +73,13 @@ struct Cluster {
   vec4 facet;   // unit, outwards there; w: mean cosine inside of the sky's light that enters
   vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 in an
                 // open body
+  vec4 escape;  // rgb: A of a plane over that of the cluster (lib/escape.glsl); w: mean curvature,
+                // 1/mm, above 0 where the body is convex
 };
+OPALINE_BOUNDARY_CONSTANT texelsOfCluster = 8u;
+#ifdef __cplusplus
+static_assert(sizeof(Cluster) == texelsOfCluster * sizeof(vec4));
+#endif
 
 /// Clusters of one body that follow each other: the same nodes act on all of them, so that what is
 /// known of a node is used for each.
