@@ -1,7 +1,7 @@
 // How much more easily light leaves a body in some place than A of a plane says, by which it is divided there.
 #ifndef OPALINE_LIB_ESCAPE
 #define OPALINE_LIB_ESCAPE
-#include "shared/medium.h"
+#include "lib/boundary.glsl"
 
 // Near the surface of what absorbs, diffusion from second collisions on has too much light. What leaves a
 // half-space says how much: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and η up
@@ -13,11 +13,12 @@ vec3 excessOfDiffusion(BoundaryMedium medium) {
 }
 
 // On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. So it is
-// less by that excess with this times 1/A. `followed` is the part of the light that is followed to second collisions.
-vec3 escapeOfPlane(BoundaryMedium medium, vec3 followed) {
+// less by that excess with this times 1/A. In clusters too large for second collisions as well: else those side by
+// side would differ.
+vec3 escapeOfPlane(BoundaryMedium medium) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
   vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);
-  return mix(vec3(1.0), inwards / max(withExcess, vec3(1e-20)), followed);
+  return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), whitenessOf(medium));
 }
 
 // Where the surface is convex, light on its way out spreads and goes more nearly along the normal, and less of it
@@ -28,8 +29,8 @@ vec3 escapeByCurvature(BoundaryMedium medium, float curvature) {
   return 1.0 + 0.5 * bend / (1.0 + 3.0 * abs(bend));
 }
 
-vec3 escapeOf(BoundaryMedium medium, vec3 followed, float curvature) {
-  return escapeOfPlane(medium, followed) * escapeByCurvature(medium, curvature);
+vec3 escapeOf(BoundaryMedium medium, float curvature) {
+  return escapeOfPlane(medium) * escapeByCurvature(medium, curvature);
 }
 
 #endif
