@@ -201,9 +201,9 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, SkySum su
   float room = looks ? (sum.meets > 0.0 ? sum.meets / sum.nearness : 3e38) : 0.0;
   clusters[i].start.w = range.kind == opaqueBody ? room : thickness;
   clusters[i].facet.w = light > 1e-30 ? sum.slant / light : mean;
-  clusters[i].second = vec4(shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
-                            range.kind != openBody ? 1.0 : 0.0);
-  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), cluster.escape.w);
+  float edge = sqrt(cluster.centroidArea.w);
+  clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), range.kind != openBody ? 1.0 : 0.0);
+  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), edge, cluster.escape.w);
 }
 
 void main() {

@@ -13,12 +13,13 @@ vec3 excessOfDiffusion(BoundaryMedium medium) {
 }
 
 // On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. So it is
-// less by that excess with this times 1/A. In clusters too large for second collisions as well: else those side by
-// side would differ.
-vec3 escapeOfPlane(BoundaryMedium medium) {
+// less by that excess with this times 1/A. In clusters of some free paths as well, though light is not followed to
+// second collisions there: else those side by side would differ. Much larger ones lack about as much light.
+vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
   vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);
-  return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), whitenessOf(medium));
+  vec3 coarse = smoothstep(2.5, 4.5, edgeMm * medium.extinction.rgb);
+  return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), max(whitenessOf(medium), coarse));
 }
 
 // Where the surface is convex, light on its way out spreads and goes more nearly along the normal, and less of it
@@ -29,8 +30,8 @@ vec3 escapeByCurvature(BoundaryMedium medium, float curvature) {
   return 1.0 + 0.5 * bend / (1.0 + 3.0 * abs(bend));
 }
 
-vec3 escapeOf(BoundaryMedium medium, float curvature) {
-  return escapeOfPlane(medium) * escapeByCurvature(medium, curvature);
+vec3 escapeOf(BoundaryMedium medium, float edgeMm, float curvature) {
+  return escapeOfPlane(medium, edgeMm) * escapeByCurvature(medium, curvature);
 }
 
 #endif
