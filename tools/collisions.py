@@ -54,17 +54,26 @@ def transfer(edges, eta):
     return collides, leaves
 
 
-def by_diffusion(albedo, eta, edges, collisions):
-    """Exitance albedo φ / 2A of diffusion from these collisions, with Grosjean's diffusion coefficient."""
-    diffusion = (2 * (1 - albedo) + albedo) / 3
-    sigma = np.sqrt((1 - albedo) / diffusion)
+def grosjean(albedo):
+    """The diffusion coefficient in free paths (Grosjean 1956)."""
+    return (2 * (1 - albedo) + albedo) / 3
+
+
+def robin(eta):
+    """A of the boundary's condition -D dφ/dn = φ / 2A."""
     points, weights = np.polynomial.legendre.leggauss(200)
     cosines = (points + 1) / 2
     mirrored = weights / 2 * reflectance(1 / eta, cosines) * cosines
-    robin = (1 + 3 * (mirrored * cosines).sum()) / (1 - 2 * mirrored.sum())
+    return (1 + 3 * (mirrored * cosines).sum()) / (1 - 2 * mirrored.sum())
+
+
+def by_diffusion(albedo, eta, edges, collisions):
+    """Exitance albedo φ / 2A of diffusion from these collisions, with Grosjean's diffusion coefficient."""
+    diffusion = grosjean(albedo)
+    sigma = np.sqrt((1 - albedo) / diffusion)
     falls = -np.diff(np.exp(-sigma * edges)) / (sigma * np.diff(edges))
-    fluence = (collisions * falls).sum() / (sigma * diffusion + 1 / (2 * robin))
-    return albedo * fluence / (2 * robin)
+    fluence = (collisions * falls).sum() / (sigma * diffusion + 1 / (2 * robin(eta)))
+    return albedo * fluence / (2 * robin(eta))
 
 
 def main():

@@ -14,7 +14,7 @@ Needs NumPy and SciPy.
 import sys
 
 import numpy as np
-from collisions import reflectance
+from collisions import grosjean, reflectance, robin
 from scipy.linalg import solve_banded
 from scipy.optimize import brentq
 
@@ -64,16 +64,16 @@ class Body:
         return radial * self.radius * (1 - self.side * 1e-10), self.side * radial
 
 
-def mean_leaving(eta):
-    """Of even light inside, over all of it."""
+def leaving(eta):
+    """Cosines inside, evenly spread, and how much of even light leaves at each."""
     cosines = (np.arange(100_000) + 0.5) / 100_000
-    return (cosines * (1 - reflectance(1 / eta, cosines))).mean()
+    return cosines, cosines * (1 - reflectance(1 / eta, cosines))
 
 
 def exitance(body, albedo, eta, count, dice):
     """Of each source, by walks from the surface back to where light comes from."""
-    cosines = (np.arange(100_000) + 0.5) / 100_000
-    cumulative = np.cumsum(cosines * (1 - reflectance(1 / eta, cosines)))
+    cosines, leaves = leaving(eta)
+    cumulative = np.cumsum(leaves)
     cosine = np.interp(dice.random(count), cumulative / cumulative[-1], cosines)
     places = body.start(count)
     angle = dice.uniform(0, 2 * np.pi, count)
@@ -107,12 +107,12 @@ def exitance(body, albedo, eta, count, dice):
         kept = ~small | (dice.random(len(weights)) < 0.25)
         weights = np.where(small, 4 * weights, weights)
         places, ways, weights = places[kept], ways[kept], weights[kept]
-    return sums / count * mean_leaving(eta) / 2
+    return sums / count * leaves.mean() / 2
 
 
 def exitance_by_diffusion(curvature, albedo, over_a, source):
     """Grosjean's diffusion, the depth in cells."""
-    diffusion = (2 * (1 - albedo) + albedo) / 3
+    diffusion = grosjean(albedo)
     deepest = min(1 / curvature, DEEPEST) if curvature > 0 else DEEPEST
     edges = np.linspace(0, deepest, CELLS + 1)
     middles = (edges[1:] + edges[:-1]) / 2
@@ -133,12 +133,6 @@ def over_a_for(exact, curvature, albedo, source):
     return brentq(lambda it: exitance_by_diffusion(curvature, albedo, it, source) - exact, 1e-3, 50)
 
 
-def a_of(eta):
-    cosines = (np.arange(100_000) + 0.5) / 100_000
-    mirrored = reflectance(1 / eta, cosines)
-    return (1 + 3 * (mirrored * cosines ** 2).mean()) / (1 - 2 * (mirrored * cosines).mean())
-
-
 def main():
     eta = float(sys.argv[1]) if len(sys.argv) > 1 else 1.3
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 200_000
@@ -150,7 +144,7 @@ def main():
         for curvature in CURVATURES:
             exact = exitance(Body(curvature), albedo, eta, count, dice)
             found = [over_a_for(e, curvature, albedo, source) / p for e, source, p in zip(exact, SOURCES, plane)]
-            bend = 2 * (2 - albedo) / 3 * curvature / a_of(eta)
+            bend = 2 * grosjean(albedo) * curvature / robin(eta)
             print(f"{albedo:6} {curvature:10.3f}  {found[0]:6.3f}  {found[1]:6.3f}   {1 + 0.5 * bend / (1 + 3 * abs(bend)):6.3f}",
                   flush=True)
     print("radius   leaves again")
@@ -160,7 +154,7 @@ def main():
             extinction = scatters + absorbs
             # Walks start as even light does that enters, and every free path is absorbed by that much.
             even = exitance(Body(1 / (radius * extinction)), scatters / extinction, eta, 4 * count, dice)[0]
-            left.append(1 - absorbs / extinction * 2 * even / mean_leaving(eta))
+            left.append(1 - absorbs / extinction * 2 * even / leaving(eta)[1].mean())
         print(f"{radius:4} mm ", *(f" {part:.4f}" for part in left))
 
 

@@ -46,7 +46,7 @@ uint sliceBegin;
 uint sliceEnd;
 
 vec3 placeOf(uint cluster) {
-  return texelOf(clusterTexels, int(texelsOfCluster * cluster)).xyz;
+  return texelOf(clusterTexels, texelOfCluster(cluster, 0u)).xyz;
 }
 
 Around aroundGroup() {

@@ -44,7 +44,7 @@ layout(push_constant) uniform Push {
 };
 
 vec3 enteredFluence(uint cluster) {
-  float thicknessMm = texelOf(clusterTexels, int(texelsOfCluster * cluster) + 3).w;
+  float thicknessMm = texelOf(clusterTexels, texelOfCluster(cluster, 3u)).w;
   BoundaryMedium medium = insideOf(objects[ranges[cluster].object]);
   return fluenceEntered(cluster, entered[cluster].rgb, thicknessMm, medium);
 }
@@ -69,9 +69,9 @@ DensityNode noDensity() {
 
 // Seen from `place`, a density is one there and a dipole.
 void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 weightS) {
-  vec4 centroidArea = texelOf(clusterTexels, int(texelsOfCluster * cluster));
-  vec3 vectorArea = texelOf(clusterTexels, int(texelsOfCluster * cluster) + 2).xyz;
-  vec3 escape = texelOf(clusterTexels, int(texelsOfCluster * cluster) + 7).rgb;
+  vec4 centroidArea = texelOf(clusterTexels, texelOfCluster(cluster, 0u));
+  vec3 vectorArea = texelOf(clusterTexels, texelOfCluster(cluster, 2u)).xyz;
+  vec3 escape = texelOf(clusterTexels, texelOfCluster(cluster, 7u)).rgb;
   vec3 areas = centroidArea.w * layerOf(cluster) * escape;
   vec3 arm = centroidArea.xyz - place;
   sum.red += fluence.r * vec4(vectorArea + weightS.r * areas.r * arm, areas.r);

@@ -43,7 +43,7 @@ Felt feltOf(uint leaf, vec3 middle, float radius) {
   vec4 centroidLink = centroidLinkOf(leaf);
   float reach = spreadOf(leaf).z;
   int cluster = int(firstSurfelOf(floatBitsToUint(centroidLink.w)));
-  vec4 normalRadius = texelOf(clusterTexels, int(texelsOfCluster * uint(cluster)) + 1);
+  vec4 normalRadius = texelOf(clusterTexels, texelOfCluster(uint(cluster), 1u));
   vec4 shareLight = texelOf(skyShares, cluster);
   Felt its;
   its.near = distance(centroidLink.xyz, middle) <= reach + radius;

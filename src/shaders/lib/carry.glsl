@@ -90,11 +90,11 @@ Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium
       bool opened = squared < reach * reach;
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
-        vec4 normalRadius = texelOf(clusters, int(texelsOfCluster * i) + 1);
+        vec4 normalRadius = texelOf(clusters, texelOfCluster(i, 1u));
         float edge = edgeOfDisc(normalRadius.w);
         float weight = weightOfCluster(squared, reach, edge, dot(normal, normalRadius.xyz));
         all += weight;
-        weight *= texelOf(clusters, int(texelsOfCluster * i) + 6).w;  // 0 without inside
+        weight *= texelOf(clusters, texelOfCluster(i, 6u)).w;  // 0 without inside
         exitance += weight * exitanceOfCluster(i, painted, weight);
         mean += weight * texelOf(means, int(i)).rgb;
         edges += weight * edge;

@@ -33,7 +33,7 @@ bool enterTile(uint tileCount) {
   medium = insideOf(body);
   leastSigma = leastOf(medium.sigma.rgb);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targets[t] = texelOf(clusterTexels, int(texelsOfCluster * min(tile.firstCluster + t, tile.endCluster - 1u)));
+    targets[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 0u));
   uint nodes = body.clusters.y - body.clusters.x;
   uint i = gl_LocalInvocationIndex;
   sliceBegin = body.clusters.x + nodes * i / invocationsOfTile;

@@ -12,7 +12,7 @@ vec4 targetNormals[maxClustersOfTile];  // w: ρ, mm
 void takeSurface() {
   eta = mediumAt(body, targets[0].xyz).boundary.x;
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targetNormals[t] = texelOf(clusterTexels, int(texelsOfCluster * min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
+    targetNormals[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 1u));
 }
 
 // 1 - F_in, both polarisations over one denominator.

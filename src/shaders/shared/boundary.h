@@ -81,6 +81,11 @@ OPALINE_BOUNDARY_CONSTANT texelsOfCluster = 8u;
 static_assert(sizeof(Cluster) == texelsOfCluster * sizeof(vec4));
 #endif
 
+/// Of that one of its vectors, in the order above, where clusters are read as texels.
+OPALINE_BOUNDARY_INLINE int texelOfCluster(uint cluster, uint vector) {
+  return int(texelsOfCluster * cluster + vector);
+}
+
 /// Clusters of one body that follow each other: the same nodes act on all of them, so that what is
 /// known of a node is used for each.
 OPALINE_BOUNDARY_CONSTANT maxClustersOfTile = 8u;
