@@ -70,7 +70,7 @@ def leaving(eta):
     return cosines, cosines * (1 - reflectance(1 / eta, cosines))
 
 
-def exitance(body, albedo, eta, count, dice):
+def exitance(body, albedo, eta, count, dice, sources=SOURCES):
     """Of each source, by walks from the surface back to where light comes from."""
     cosines, leaves = leaving(eta)
     cumulative = np.cumsum(leaves)
@@ -80,7 +80,7 @@ def exitance(body, albedo, eta, count, dice):
     sine = np.sqrt(1 - cosine ** 2)
     ways = np.stack([sine * np.cos(angle), sine * np.sin(angle), -cosine], 1)
     weights = np.ones(count)
-    sums = np.zeros(len(SOURCES))
+    sums = np.zeros(len(sources))
     while len(weights):
         left = -np.log(1 - dice.random(len(weights)))
         while True:
@@ -96,7 +96,7 @@ def exitance(body, albedo, eta, count, dice):
             kept = weights > 1e-7
             places, ways, weights, left = places[kept], ways[kept], weights[kept], left[kept]
         places = places + left[:, None] * ways
-        for k, source in enumerate(SOURCES):
+        for k, source in enumerate(sources):
             sums[k] += (weights * source(body.depth(places))).sum()
         weights = weights * albedo
         height = dice.uniform(-1, 1, len(weights))

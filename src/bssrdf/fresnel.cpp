@@ -25,6 +25,23 @@ double threeC2Integrated(double eta) {
   return 1.0 - 3.0 / (eta * eta) * sum / (6.0 * panels);
 }
 
+// Over diffuse light that entered, of a function of the squared cosine outside and F_t there; by
+// the midpoint rule over μ².
+template <typename Function>
+double meanOfEntered(double eta, const Function& function) {
+  assert(eta >= 1.0);
+  constexpr int steps = 2048;
+  double entering = 0;
+  double weighted = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double squared = (i + 0.5) / steps;
+    const double transmitted = 1.0 - fresnelReflectance(eta, std::sqrt(squared));
+    entering += transmitted;
+    weighted += transmitted * function(squared, transmitted);
+  }
+  return weighted / entering;
+}
+
 }  // namespace
 
 double fresnelReflectance(double eta, double cosTheta) {
@@ -66,18 +83,14 @@ double meanTransmittance(double eta) {
 }
 
 double meanCosineInside(double eta) {
-  assert(eta >= 1.0);
-  constexpr int steps = 2048;
-  double entering = 0;
-  double weighted = 0;
-  // By the midpoint rule over μ².
-  for (int i = 0; i < steps; ++i) {
-    const double squared = (i + 0.5) / steps;
-    const double transmitted = 1.0 - fresnelReflectance(eta, std::sqrt(squared));
-    entering += transmitted;
-    weighted += transmitted * std::sqrt(1.0 - (1.0 - squared) / (eta * eta));
-  }
-  return weighted / entering;
+  return meanOfEntered(eta, [&](double squared, double /*transmitted*/) {
+    return std::sqrt(1.0 - (1.0 - squared) / (eta * eta));
+  });
+}
+
+double meanReflectanceOfEntered(double eta) {
+  return meanOfEntered(eta,
+                       [](double /*squared*/, double transmitted) { return 1.0 - transmitted; });
 }
 
 double diffuseReflectanceInside(double eta) {

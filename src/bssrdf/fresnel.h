@@ -16,6 +16,10 @@ double meanTransmittance(double eta);
 /// ∫₀¹ F_t μ dμ.
 double meanCosineInside(double eta);
 
+/// Of diffuse light that entered through a plane, what another parallel to it mirrors, eta ≥ 1:
+/// ∫₀¹ F_t (1 − F_t) μ dμ / ∫₀¹ F_t μ dμ.
+double meanReflectanceOfEntered(double eta);
+
 /// Classic internal diffuse reflectance F_dr (Egan and Hilgeman 1973, as in Jensen et al. 2001).
 double diffuseReflectanceInside(double eta);
 

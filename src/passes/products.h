@@ -217,6 +217,9 @@ struct Beams {
   gpu::Buffer points;        ///< shared::BeamPoint, maxPoints a cluster and light
   gpu::Buffer collisions;    ///< shared::FirstCollision, maxFirstPoints a cluster and light
   gpu::Buffer strengths;     ///< vec4 a cluster and light: power that entered; numbers of points
+  gpu::Buffer strongest;     ///< largest power of those that are followed to second collisions, a
+                             ///< float's bits, at the first of the lights
+  gpu::Buffer guided;        ///< shared::Guided, pathsOfBeam a cluster and light
   std::uint32_t room = 1;    ///< lights that there is room for
   std::uint32_t lights = 1;  ///< whose points are there
 };
@@ -253,11 +256,12 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;     ///< of each cluster
   Beams fromLights;                   ///< of a few lights after the other
   Beams fromEverywhere;
-  gpu::Buffer mirrored;   ///< shared::Mirrored a cluster and light, of a few after the other
-  gpu::Buffer peaks;      ///< largest power of those, a float's bits, at the first of the lights
-  gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
-  gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;  ///< shared::BeamNode, of the trees of lib/beam_trees.glsl
+  gpu::Buffer mirrored;    ///< shared::Mirrored a cluster and light, of a few after the other
+  gpu::Buffer peaks;       ///< largest power of those, a float's bits, at the first of the lights
+  gpu::Buffer sums;        ///< of those, three whole numbers a cluster; 0 between lights
+  gpu::Buffer guidedSums;  ///< of guided light, three whole numbers a cluster
+  gpu::Buffer arrived;     ///< vec4 a cluster: power that enters after it was mirrored
+  gpu::Buffer beamNodes;   ///< shared::BeamNode, of the trees of lib/beam_trees.glsl
   std::uint32_t mostNodesOfBody = 0;  ///< of the tree
   std::uint32_t roomOfBeamList = 0;
   gpu::Buffer beamLists;         ///< of each tree and group: how many nodes, and which

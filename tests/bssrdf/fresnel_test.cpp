@@ -119,6 +119,22 @@ TEST(MeanCosineInside, OfEqualMediaIsTwoThirds) {
   EXPECT_NEAR(meanCosineInside(1.0), 2.0 / 3, 1e-6);
 }
 
+TEST(MeanReflectanceOfEntered, IsTheIntegral) {
+  for (const double eta : {1.01, 1.1, 1.3, 1.5, 2.0}) {
+    const auto mean = [&](double power) {
+      return integrate(
+          [&](double s) {
+            const double mu = s * s * s;
+            const double reflected = fresnelReflectance(eta, mu);
+            return (1 - reflected) * std::pow(reflected, power) * mu * 3 * s * s;
+          },
+          0, 1, 4000);
+    };
+    EXPECT_NEAR(meanReflectanceOfEntered(eta), mean(1) / mean(0), 1e-4) << eta;
+  }
+  EXPECT_EQ(meanReflectanceOfEntered(1), 0);
+}
+
 /// (k+1) ∫ F_in μ^k dμ.
 double momentInside(double eta, int power) {
   const double critical = std::sqrt(1 - 1 / (eta * eta));

@@ -175,10 +175,10 @@ TEST_F(BoundarySolverTest, ManyUnknownsInASmallBodySayWhatFewDo) {
   RenderOptions options = boundaryOptions(32);
   options.maxSurfels = 65'536;
   const RenderResult many = renderer().render(options, {Aov::Exitance});
-  options.maxClusters = 1024;
+  options.maxClusters = 2048;
   const RenderResult few = renderer().render(options, {Aov::Exitance});
   EXPECT_GT(many.report.clusters, 3000U);
-  EXPECT_LE(few.report.clusters, 1024U);
+  EXPECT_LE(few.report.clusters, 2048U);
   EXPECT_LT(errorsOf(few.images[0], many.images[0]).rms, 0.04);
 }
 

@@ -118,6 +118,7 @@ struct SlabCase {
   const char* name;
   Channel medium;
   double eta;
+  float widthOverThickness;
   std::array<double, 3> thicknessMm;
   double most;                                  ///< L1 over what is reflected and transmitted
   std::array<std::array<double, 2>, 3> normal;  ///< reflected and transmitted, of unit flux
@@ -128,17 +129,19 @@ void PrintTo(const SlabCase& slab, std::ostream* to) {
   *to << slab.name;
 }
 
-constexpr std::array<SlabCase, 3> slabCases{{
+constexpr std::array<SlabCase, 4> slabCases{{
     {"marble_red",
      marbleRed,
      1.5,
+     20,
      {0.85135, 2.55405, 8.51349},
-     0.03,
+     0.02,
      {{{0.4306, 0.3784}, {0.6244, 0.3072}, {0.7722, 0.1118}}},
      {{{0.4292, 0.3670}, {0.6005, 0.2823}, {0.7344, 0.1028}}}},
     {"marble_blue",
      marbleBlue,
      1.5,
+     20,
      {0.39559, 1.18678, 3.95593},
      0.03,
      {{{0.3398, 0.3241}, {0.5370, 0.3586}, {0.6921, 0.1523}}},
@@ -146,17 +149,29 @@ constexpr std::array<SlabCase, 3> slabCases{{
     {"skin1_red",
      skinRed,
      1.3,
-     {0.37487, 1.12460, 3.74865},
-     0.05,
-     {{{0.1097, 0.1086}, {0.2443, 0.2326}, {0.3947, 0.2405}}},
-     {{{0.1268, 0.1257}, {0.2631, 0.2489}, {0.3970, 0.2253}}}},
+     20,
+     {1.12460, 3.74865, 3.74865},
+     0.02,
+     {{{0.2443, 0.2326}, {0.3947, 0.2405}, {0.3947, 0.2405}}},
+     {{{0.2631, 0.2489}, {0.3970, 0.2253}, {0.3970, 0.2253}}}},
+    // Light that scattered once goes along this for several free paths, each 3.5 of its
+    // thicknesses.
+    {"thin_skin1_red",
+     skinRed,
+     1.3,
+     40,
+     {0.37487, 0.37487, 0.37487},
+     0.03,
+     {{{0.1097, 0.1086}, {0.1097, 0.1086}, {0.1097, 0.1086}}},
+     {{{0.1268, 0.1257}, {0.1268, 0.1257}, {0.1268, 0.1257}}}},
 }};
 
-/// A slab between z = -½ and ½, twenty times wider than thick, that is three in one.
+/// A slab between z = -½ and ½, many times wider than thick, that is three in one.
 Scene slabOf(const SlabCase& slab, float side) {
   Medium medium{slab.name, {}, {}, slab.eta};
   for (std::size_t c = 0; c < 3; ++c) setChannel(medium, c, slab.medium, slab.thicknessMm[c], 1);
-  return sceneOf(box({0, 0, 0}, {10, 10, 0.5F}, 40), medium, {0, 0, 20 * side}, 3);
+  const float half = slab.widthOverThickness / 2;
+  return sceneOf(box({0, 0, 0}, {half, half, 0.5F}, 40), medium, {0, 0, 20 * side}, 3);
 }
 
 // Of the middle region, where the slab is as good as endless.

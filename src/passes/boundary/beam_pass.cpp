@@ -13,9 +13,6 @@ namespace opaline::passes {
 
 namespace {
 
-// A channel of a point of second collisions each.
-constexpr std::uint32_t pathsOfBeam = 3 * shared::maxSecondPoints;
-
 // Of trees: of sources of fluence, and of light that scatters once where some is followed that far.
 std::uint32_t kindsOf(const SceneTables& tables) {
   return tables.followsLight ? 2 : 1;
@@ -95,11 +92,13 @@ Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool w
 
 BeamPass::BeamPass(gpu::Device& device)
     : trace_{makeTrace(device, false), makeTrace(device, true)},
-      sharers_(device.workGroups().lanes > 1 ? pathsOfBeam : 1),
+      sharers_(device.workGroups().lanes > 1 ? shared::pathsOfBeam : 1),
       followOn_{{device, "second collisions", {.withLinings = 0, .sharers = sharers_}},
                 {device, "second collisions", {.withLinings = 1, .sharers = sharers_}}},
       addMirrored_(device, "mirrored light", {.addsUp = 1}),
       takeMirrored_(device, "mirrored light", {.addsUp = 0}),
+      addGuided_(device, "guided light", {.addsUp = 1}),
+      takeGuided_(device, "guided light", {.addsUp = 0}),
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
       nodes_(device, "nodes of points", {.ofLeaves = 0}),
       acting_(device, "points that act on groups"),
@@ -137,6 +136,8 @@ void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
   if (wanted.bounces && clusters.lights == 0) commands.fill({clusters.arrived}, 0);
+  if (inputs.tables.followsLight)
+    commands.fill({clusters.fromLights.strongest, clusters.fromEverywhere.strongest}, 0);
   const std::uint32_t atOnce = clusters.fromLights.room;
   for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {
     clusters.fromLights.lights = std::min(atOnce, clusters.lights - first);
@@ -146,6 +147,7 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     commands.endPass();
     commands.beginPass("sources");
     spreadLights(commands, inputs, clusters, first > 0);
+    bringGuided(commands, inputs.tables, first, clusters, clusters.fromLights);
     commands.endPass();
   }
   if (wanted.sky || wanted.bounces) {
@@ -177,7 +179,8 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
                  .arrived = clusters.arrived,
                  .strengths = clusters.fromEverywhere.strengths,
                  .entered = clusters.entered,
-                 .clusterPaints = inputs.tables.paint.clusters},
+                 .clusterPaints = inputs.tables.paint.clusters,
+                 .strongest = clusters.fromEverywhere.strongest},
                 {.clusterCount = clusters.count,
                  .raysOutwards = clusters.raysOutwards,
                  .isFirst = reentry.isFirst});
@@ -206,7 +209,8 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .skyShares = clusters.skyShares,
                  .clusterPaints = inputs.tables.paint.clusters,
                  .opaqueShares = inputs.tables.opaqueShares,
-                 .collisions = beams.collisions},
+                 .collisions = beams.collisions,
+                 .strongest = beams.strongest},
                 {.clusterCount = clusters.count,
                  .firstLight = beam.firstLight,
                  .lights = beams.lights,
@@ -231,7 +235,8 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
                  .strengths = beams.strengths,
                  .clusterOfSurfel = clusters.clusterOfSurfel,
                  .opaqueShares = inputs.tables.opaqueShares,
-                 .collisions = beams.collisions},
+                 .collisions = beams.collisions,
+                 .guidedLight = beams.guided},
                 {.clusterCount = clusters.count,
                  .firstLight = beam.firstLight,
                  .lights = beams.lights,
@@ -239,7 +244,7 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
                  .comesFromEverywhere = beam.firstLight == clusters.lights});
   // Most end before they meet the surface.
   commands.dispatchLinear(beams.lights * clusters.count * sharers_,
-                          pathsOfBeam / sharers_ * roundsOfWalk);
+                          shared::pathsOfBeam / sharers_ * roundsOfWalk);
 }
 
 void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
@@ -256,6 +261,29 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLigh
                    .lights = lights,
                    .adds = firstLight > 0});
     commands.dispatchLinear(clusters.count * (pipeline == &addMirrored_ ? lights : 1));
+  }
+}
+
+void BeamPass::bringGuided(gpu::CommandList& commands, const SceneTables& tables,
+                           std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
+  if (!tables.followsLight) return;
+  commands.fill({clusters.guidedSums}, 0);
+  for (const auto* pipeline : {&addGuided_, &takeGuided_}) {
+    commands.bind(
+        *pipeline,
+        {.clusterNodes = clusters.nodes,
+         .ranges = clusters.ranges,
+         .clusters = clusters.clusters,
+         .around = clusters.around,
+         .strengths = beams.strengths,
+         .strongest = beams.strongest,
+         .guided = beams.guided,
+         .sums = clusters.guidedSums,
+         .latest = clusters.latest},
+        {.clusterCount = clusters.count, .firstLight = firstLight, .lights = beams.lights});
+    commands.dispatchLinear(pipeline == &addGuided_
+                                ? beams.lights * clusters.count * shared::pathsOfBeam
+                                : clusters.count);
   }
 }
 
@@ -294,6 +322,7 @@ void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs
     if (isNew && of.roomOfKept > 0) findCoefficients(commands, of);
     sumUp(commands, {.isFirst = from == 0, .adds = adds || from > 0}, of);
   }
+  bringGuided(commands, inputs.tables, 0, clusters, clusters.fromEverywhere);
 }
 
 // As fluence and, where light is followed to its second collision, as what scatters once.

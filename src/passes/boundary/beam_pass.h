@@ -9,6 +9,7 @@
 #include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
+#include "shaders/boundary/guided.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
 #include "shaders/boundary/reentry.comp.h"
 #include "shaders/boundary/second_collisions.comp.h"
@@ -68,6 +69,9 @@ class BeamPass {
                 Clusters& clusters, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                      Clusters& clusters) const;
+  /// The light of these beams that scattered once and was mirrored inside, to `latest`.
+  void bringGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
+                   Clusters& clusters, Beams& beams) const;
   void spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                     bool adds) const;
   void spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
@@ -101,6 +105,8 @@ class BeamPass {
   Variants<shaders::BoundarySecondCollisions> followOn_;  ///< by linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
+  gpu::Compute<shaders::BoundaryGuided> addGuided_;
+  gpu::Compute<shaders::BoundaryGuided> takeGuided_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
   gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
   gpu::Compute<shaders::BoundaryBeamGroups> acting_;

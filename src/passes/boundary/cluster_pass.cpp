@@ -208,7 +208,9 @@ Beams makeBeams(gpu::Device& device, const std::string& from, std::size_t beams)
   return {
       makeRoom<shared::BeamPoint>(device, name("points"), shared::maxPoints * beams),
       makeRoom<shared::FirstCollision>(device, name("collisions"), shared::maxFirstPoints * beams),
-      makeRoom<shared::vec4>(device, name("strengths"), beams)};
+      makeRoom<shared::vec4>(device, name("strengths"), beams),
+      makeRoom<std::uint32_t>(device, name("strongest"), shared::maxLights),
+      makeRoom<shared::Guided>(device, name("guided light"), shared::pathsOfBeam * beams)};
 }
 
 // Lights whose points of light are found and summed together, where their buffer may be that large.
@@ -293,6 +295,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   };
   clusters.peaks = zeros("peaks of mirrored light", shared::maxLights);
   clusters.sums = zeros("sums of mirrored light", 4 * count);
+  clusters.guidedSums = makeRoom<std::uint32_t>(device, "sums of guided light", 3 * count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", trees * nodes);
   clusters.mostNodesOfBody = mostNodesOfBody(made);
@@ -413,7 +416,8 @@ void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = inputs.looksAround ? clusters.raysOutwards : 0,
                  .nodeCount = inputs.surfels.tree.nodeCount});
-  commands.dispatchLanes(clusters.count, (raysOutwards + 1) * roundsOfWalk);
+  commands.dispatchLanes(clusters.count,
+                         (raysOutwards + 1 + 2 * shared::placesInwards) * roundsOfWalk);
 }
 
 }  // namespace opaline::passes

@@ -30,6 +30,8 @@ layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares
 layout(std430, set = 0, binding = 16) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
 layout(std430, set = 0, binding = 17) writeonly buffer Collisions { FirstCollision collisions[]; };
 
+layout(std430, set = 0, binding = 18) buffer Strongest { uint strongest[]; };
+
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(constant_id = 1) const uint withLinings = 0u;
 
@@ -74,7 +76,9 @@ const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
 const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 const float twoAt[2] = float[2](0.211324865, 0.788675135);
 
-void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction) {
+// `returns`: of what gets to the end of it, how much is mirrored there and goes to and fro.
+void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction,
+                  float returns) {
   vec3 less = thinner * extinction;
   vec3 within = 1.0 - exp(-less * lengthMm);
   vec3 lengths[pointsOfFirstSegment];
@@ -85,7 +89,8 @@ void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float
     shares[p] = threeWeights[p] * exp((less - extinction) * lengths[p]);
     all += shares[p];
   }
-  vec3 collides = 1.0 - exp(-extinction * lengthMm);
+  vec3 passes = exp(-extinction * lengthMm);
+  vec3 collides = (1.0 - passes) / (1.0 - returns * passes);
   for (uint p = 0u; p < pointsOfFirstSegment; ++p)
     put(body, cluster, origin, direction, lengthMm, lengths[p], shares[p] / all * collides);
 }
@@ -133,11 +138,15 @@ void reflections(Body body, Cluster cluster, vec3 origin, vec3 direction, RayHit
   }
 }
 
-// Of light from everywhere, what a lining below the cluster gives back.
-void backFromLining(Body body, Cluster cluster, vec3 extinction) {
-  RayHit hit = nextHit(body, cluster.start.xyz, -cluster.facet.xyz, 3e38);
-  if (hit.piece != noPiece && isLining(hit.piece))
-    reflections(body, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
+// Light from everywhere goes straight inwards, and meets the other side of the body, or a lining.
+void throughBody(Body body, Cluster cluster) {
+  vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
+  RayHit hit = RayHit(0.0, noPiece);
+  if (withLinings != 0u) hit = nextHit(body, cluster.start.xyz, -cluster.facet.xyz, 3e38);
+  bool meetsLining = hit.piece != noPiece && isLining(hit.piece);
+  firstSegment(body, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction,
+               meetsLining ? 0.0 : body.medium.scatters.w);
+  if (meetsLining) reflections(body, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
 }
 
 // Of light of a large area light, the mean cosine inside: by four places that halve it each way.
@@ -196,9 +205,7 @@ void main() {
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   float cosineInside = body.medium.sigma.w;
   if (everywhere) {
-    vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
-    firstSegment(body, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
-    if (withLinings != 0u) backFromLining(body, cluster, extinction);
+    throughBody(body, cluster);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
     vec3 toLight = light < firstAreaLight() ? incidentLight(light, entry.place.xyz).direction
@@ -214,7 +221,7 @@ void main() {
       if (mean > 0.0) longer = max(cosineInside / mean, 1.0);
     }
     firstSegment(body, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
-                 longer * body.medium.collision.rgb);
+                 longer * body.medium.collision.rgb, 0.0);
     reflections(body, cluster, entry.start.xyz, direction, hit, body.medium.collision.rgb);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);
@@ -223,5 +230,7 @@ void main() {
   }
   if (mirrors != 0u) mirrored[beam] = goesOn;
   if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
-  strengths[beam] = vec4(power, packPointCounts(pointCount, cluster.second.rgb != vec3(0.0) ? secondPointsOf(pointCount, everywhere) : 0u));
+  bool isFollowed = cluster.second.rgb != vec3(0.0);
+  if (isFollowed) atomicMax(strongest[everywhere ? 0u : firstLight], floatBitsToUint(largestOf(power)));
+  strengths[beam] = vec4(power, packPointCounts(pointCount, isFollowed ? secondPointsOf(pointCount, everywhere) : 0u));
 }

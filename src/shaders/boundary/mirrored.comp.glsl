@@ -1,8 +1,9 @@
 // Light mirrored on arrival, brought to the clusters where it enters: first added up in whole
-// numbers, whose sum does not depend on the order, then turned into power.
+// numbers, then turned into power.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
+#include "lib/whole_sums.glsl"
 #include "shared/boundary.h"
 
 layout(constant_id = 0) const uint addsUp = 1u;
@@ -25,7 +26,7 @@ void main() {
   if (addsUp == 0u && adds == 0u) arrived[i] = vec4(0.0);
   float most = uintBitsToFloat(peaks[firstLight]);
   if (most <= 0.0) return;
-  float whole = 4.0e9 / float(lights * clusterCount);  // what the peak is, so that all together fit
+  float whole = wholeOfMost(lights * clusterCount);
   if (addsUp == 0u) {
     for (uint c = 0u; c < 3u; ++c) {
       arrived[i][c] += float(sums[3u * i + c]) / whole * most;

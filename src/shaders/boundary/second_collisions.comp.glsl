@@ -1,4 +1,5 @@
-// Where the part of a beam that is followed further collides next: for each channel of each point.
+// Where the part of a beam that is followed further collides next: for each channel of each point. On the way
+// some of it is mirrored inside, and what leaves after that is kept as well.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -21,6 +22,8 @@ layout(std430, set = 0, binding = 9) readonly buffer ClusterOfSurfel { uint clus
 layout(std430, set = 0, binding = 10) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
 layout(std430, set = 0, binding = 11) readonly buffer Collisions { FirstCollision collisions[]; };
 
+layout(std430, set = 0, binding = 12) writeonly buffer GuidedLight { Guided guidedLight[]; };
+
 layout(constant_id = 0) const uint withLinings = 0u;
 layout(constant_id = 1) const uint sharers = 1u;  // invocations of a beam
 
@@ -39,34 +42,64 @@ const uint meetingsOfPath = 3u;  // reflections on the way
 // Free paths are those of a medium thinner by this factor, as in beams.comp.glsl.
 const float thinner = 0.7;
 
-const float endOfForwards = 4.0;  // in free paths; less than 2 % is left
+// In free paths; less than 2 % is left.
+const float endOfForwards = 4.0;
+const float endOfGuided = 4.0;
 
-// Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
-// is taken off the share.
-vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float share, int channel) {
+// Light on its way to a second collision, in one channel.
+struct Way {
+  vec3 origin;
+  vec3 direction;
+  float path;    // that is left, mm
+  float share;   // of the light, what goes all of it
+  float onward;  // what is on its way here, over the part of such ways that is longer
+};
+
+// Of light that meets a piece of the surface, how much goes on. At a lining it does so evenly, here as if mirrored.
+float mirroredBy(Body body, RayHit hit, float cosine, int channel) {
+  return isLining(hit.piece) ? givenBackBy(hit.piece)[channel] : reflectedInside(body, cosine);
+}
+
+// Goes on for a path's length, mirrored where it meets the surface; what leaves there is taken off the share. What
+// leaves where it meets the surface first is found elsewhere (boundary/single.comp.glsl), what leaves later is
+// `guided`: of each stretch all that gets to its end, though the path may end before. What thin parts mirror too often
+// collides in the middle of the last way across.
+vec4 collisionAfter(Body body, Way way, int channel, out Guided guided) {
+  guided = Guided(0u, 0.0);
+  float most = 0.0;
+  float collision = body.medium.collision[channel];
   float free = endOfForwards * body.medium.collision.w / body.medium.extinction[channel];
   for (uint k = 0u; k <= meetingsOfPath; ++k) {
-    RayHit hit = nextHit(body, origin, direction, path + max(free, 0.0));
-    if (hit.piece == noPiece || hit.distance > path) {
-      float left = hit.piece == noPiece ? abs(free) : hit.distance - path;
-      return vec4(origin + (path + forwards(body, vec3(left))[channel]) * direction, share);
+    float furthest = way.path + max(free, 0.0);
+    RayHit hit = nextHit(body, way.origin, way.direction, k == 0u ? furthest : max(furthest, endOfGuided / collision));
+    bool meets = hit.piece != noPiece;
+    vec3 normal = meets ? facetNormal(hit.piece) : vec3(0.0);
+    float mirrored = meets ? mirroredBy(body, hit, abs(dot(way.direction, normal)), channel) : 0.0;
+    if (k > 0u && meets && !isLining(hit.piece)) {
+      float leaves = (1.0 - mirrored) * way.onward * exp(-collision * hit.distance);
+      if (leaves > most) guided.cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
+      most = max(most, leaves);
+      guided.share += leaves;
     }
-    vec3 normal = facetNormal(hit.piece);
-    origin += hit.distance * direction;
-    path -= hit.distance;
-    // Evenly scattered light that is mirrored at a lining leaves it as light that goes on evenly from there.
-    share *= isLining(hit.piece) ? givenBackBy(hit.piece)[channel]
-                                 : reflectedInside(body, abs(dot(direction, normal)));
-    direction = reflect(direction, normal);
-    if (share <= 0.0) break;
+    if (!meets || hit.distance > way.path) {
+      float left = meets ? hit.distance - way.path : abs(free);
+      return vec4(way.origin + (way.path + forwards(body, vec3(left))[channel]) * way.direction, way.share);
+    }
+    way.path -= hit.distance;
+    way.share *= mirrored;
+    way.onward *= mirrored * exp((thinner - 1.0) * collision * hit.distance);
+    if (k == meetingsOfPath) return vec4(way.origin + 0.5 * hit.distance * way.direction, way.share);
+    way.origin += hit.distance * way.direction;
+    way.direction = reflect(way.direction, normal);
+    if (way.share <= 0.0) break;
   }
-  return vec4(origin, 0.0);
+  return vec4(way.origin, 0.0);
 }
 
 // Light that collided at `place` with that share goes on by the phase function and as far as free paths go, by a lattice
 // of low discrepancy (Roberts 2018) in the axes of the cluster, so that it moves with that. Another shift for each
 // cluster and point, by such a lattice too, points half a step apart: what few directions miss, those beside have.
-vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel) {
+vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel, out Guided guided) {
   const vec2 next = vec2(0.7548776662, 0.5698402910);
   const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);
   vec3 shift = fract((float(i % 8192u) + 0.5 * float(by.point)) * shifts);
@@ -83,8 +116,10 @@ vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel
   vec3 around = cos(angle) * along + sin(angle) * cross(axis, along);
   vec3 direction = sqrt(max(1.0 - z * z, 0.0)) * around + z * axis;
   float depth = -log(max(1.0 - at.y, 1e-6)) / thinner;
-  float share = exp((thinner - 1.0) * depth) / (thinner * count);
-  return collisionAfter(body, place.xyz, direction, depth / body.medium.collision[channel], share * place.w, channel);
+  float onward = place.w / count;
+  float share = onward * exp((thinner - 1.0) * depth) / thinner;
+  Way way = Way(place.xyz, direction, depth / body.medium.collision[channel], share, onward);
+  return collisionAfter(body, way, channel, guided);
 }
 
 void main() {
@@ -102,9 +137,13 @@ void main() {
     FirstCollision collision = collisions[beam * maxFirstPoints + by.point];
     vec4 place = points[3u * (beam * maxPoints + by.point) + uint(channel)];
     place.xyz -= collision.onward[channel] * collision.arrival.xyz;
-    points[3u * (beam * maxPoints + maxFirstPoints + second) + uint(channel)] =
-        followed[channel] > 0.0 && place.w > 0.0
-            ? scatterOn(body, i, by, collision.arrival.xyz, place, channel)
-            : vec4(place.xyz, 0.0);
+    vec4 collides = vec4(place.xyz, 0.0);
+    Guided guided = Guided(0u, 0.0);
+    if (followed[channel] > 0.0 && place.w > 0.0) {
+      collides = scatterOn(body, i, by, collision.arrival.xyz, place, channel, guided);
+      guided.share *= followed[channel] * body.medium.scatters[channel];
+    }
+    points[3u * (beam * maxPoints + maxFirstPoints + second) + uint(channel)] = collides;
+    guidedLight[beam * pathsOfBeam + path] = guided;
   }
 }

@@ -84,6 +84,8 @@ float cosineInside(float eta, float cosine) {
 
 const float clustersTogether = 8.0;
 
+const float cosineOfSlant = 0.4;
+
 // Half of the rays go to bright parts of the sky, where it has some, and the others are as dense as the cosine. Each
 // counts as by the balance heuristic (Veach and Guibas 1995).
 uint raysToBright() {
@@ -180,14 +182,42 @@ SkySum sumOfLanes(SkySum part) {
   return SkySum(free.rgb, all.rgb, free.w, all.w, others.x, others.y, others.z);
 }
 
-float thicknessBelow(Cluster cluster, ObjectData body) {
-  RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w, rayStartOf(cluster), 3e38,
-                               RayTarget(body.tree.x, body.tree.w, body.body.x));
+RayHit otherSide(vec3 place, vec3 direction, Cluster cluster, ObjectData body) {
+  return nearestExit(place, direction, cluster.along.w, rayStartOf(cluster), 3e38,
+                     RayTarget(body.tree.x, body.tree.w, body.body.x));
+}
+
+float thicknessOf(RayHit through) {
   return through.piece == noPiece ? 1e18 : through.distance;
 }
 
+// How much the other side is parallel to a place and mirrors; what is opaque does not.
+float parallelTo(PieceFrame place, vec3 aside, RayHit through, Cluster cluster, ObjectData body) {
+  if (through.piece == noPiece || ranges[clusterOfSurfel[through.piece / piecesPerSurfel]].kind == lining) return 0.0;
+  vec3 slanting = sqrt(1.0 - cosineOfSlant * cosineOfSlant) * aside - cosineOfSlant * place.normal;
+  float way = thicknessOf(otherSide(place.middle, slanting, cluster, body));
+  return min(cosineOfSlant * way / max(through.distance, 1e-30), 1.0);
+}
+
+// A sum over places all over the cluster. The last lanes, which have the fewest rays outwards, have them.
+vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body) {
+  if (range.kind != bodyWithInside) return vec3(0.0);
+  uint first = range.firstSurfel * piecesPerSurfel;
+  uint count = range.endSurfel * piecesPerSurfel - first;
+  vec3 sum = vec3(0.0);
+  for (uint k = lanes - 1u - lane; k < placesInwards; k += lanes) {
+    PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * placesInwards), cluster.along.w);
+    if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
+    RayHit through = otherSide(place.middle, -place.normal, cluster, body);
+    vec3 aside = k % 2u == 0u ? place.along : cross(place.normal, place.along);
+    float parallel = parallelTo(place, k % 4u < 2u ? aside : -aside, through, cluster, body);
+    sum += escapeByThickness(insideOf(body), thicknessOf(through), parallel);
+  }
+  return sum;
+}
+
 // What is known of a cluster then. Without rays it sees all of the sky, and from within a body nothing.
-void put(uint i, Cluster cluster, ClusterRange range, float thickness, SkySum sum) {
+void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofThickness, SkySum sum) {
   ObjectData body = objects[range.object];
   float mean = insideOf(body).sigma.w;
   bool looks = raysOutwards > 0u && range.kind != lining;
@@ -203,7 +233,7 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, SkySum su
   clusters[i].facet.w = light > 1e-30 ? sum.slant / light : mean;
   float edge = sqrt(cluster.centroidArea.w);
   clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), range.kind != openBody ? 1.0 : 0.0);
-  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), edge, cluster.escape.w);
+  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), edge, cluster.escape.w, ofThickness);
 }
 
 void main() {
@@ -216,10 +246,15 @@ void main() {
   SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
   if (isThere) sum = lookAround(i, lane, cluster, range);
   sum = sumOfLanes(sum);
+  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
+  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
   // So that what enters of even light is all of it, from wherever it comes.
   float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
   if (isThere && raysToBright() > 0u)
     for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
   // The last lane has the fewest rays outwards.
-  if (isThere && lane == lanes - 1u) put(i, cluster, range, thicknessBelow(cluster, body), sum);
+  if (isThere && lane == lanes - 1u) {
+    float thickness = thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body));
+    put(i, cluster, range, thickness, ofThickness, sum);
+  }
 }

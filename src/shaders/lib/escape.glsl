@@ -30,8 +30,17 @@ vec3 escapeByCurvature(BoundaryMedium medium, float curvature) {
   return 1.0 + 0.5 * bend / (1.0 + 3.0 * abs(bend));
 }
 
-vec3 escapeOf(BoundaryMedium medium, float edgeMm, float curvature) {
-  return escapeOfPlane(medium, edgeMm) * escapeByCurvature(medium, curvature);
+// In thin parts much light goes along the part, mirrored back and forth, as far as both sides are parallel. In slabs
+// by Monte Carlo, as thin as a sixth of a free path, what leaves on either side is then within 5 %, for albedos down
+// to 0.65.
+vec3 escapeByThickness(BoundaryMedium medium, float thicknessMm, float parallel) {
+  const float thinnest = 0.2;  // free paths
+  return 1.0 - parallel * exp(-1.3 * max(thicknessMm * medium.extinction.rgb, thinnest));
+}
+
+// `ofThickness`: the last, over the cluster.
+vec3 escapeOf(BoundaryMedium medium, float edgeMm, float curvature, vec3 ofThickness) {
+  return escapeOfPlane(medium, edgeMm) * escapeByCurvature(medium, curvature) * ofThickness;
 }
 
 #endif

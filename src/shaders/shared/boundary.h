@@ -129,6 +129,8 @@ OPALINE_BOUNDARY_CONSTANT leastRoomOfList = 1024u;
 /// How many clusters are felt in a tile, and their leaves; those that there is no room for, the
 /// last in the tree, are not.
 OPALINE_BOUNDARY_CONSTANT roomOfAround = 512u;
+/// In so many places of a cluster rays ask how thick the body is, straight on and at a slant.
+OPALINE_BOUNDARY_CONSTANT placesInwards = 4u;
 /// Of a large cluster, so many surfels after the other find out how much of the sky they see.
 OPALINE_BOUNDARY_CONSTANT surfelsOfPart = 512u;
 
@@ -177,6 +179,14 @@ struct FirstCollision {
   vec4 arrival;  // unit: where light comes along there
   vec4 onward;   // rgb: by how much the points lie further on than where light collides, mm
 };
+
+/// Of each way that is followed to a second collision, in a channel: what leaves where it meets the
+/// surface again after it was mirrored inside, and through which cluster most of that.
+struct Guided {
+  uint cluster;
+  float share;  // of the light that entered
+};
+OPALINE_BOUNDARY_CONSTANT pathsOfBeam = 3u * maxSecondPoints;
 
 /// What a ray from a cluster met outside: another cluster, and which part of the light that comes
 /// from there enters here by this ray.

@@ -19,7 +19,8 @@ struct BoundaryMedium {
   vec4 albedo;      // rgb: α'; w: critical cosine √(1 - 1/η²)
   // Of single collisions, forward peaks left out (bssrdf::ScaledScattering).
   vec4 collision;  // rgb: σ_t*, 1/mm; w: mean cosine g*
-  vec4 scatters;   // rgb: α*
+  vec4 scatters;   // rgb: α*; w: of diffuse light that entered, what a plane on the other side
+                   // mirrors
   vec4 reflected;  // rgb: of light that entered a half-space, what leaves
 };
 

@@ -1,0 +1,68 @@
+// Light that scattered once and leaves after it was mirrored inside, brought to the clusters through which it leaves:
+// first added up in whole numbers, then turned into exitance. A way stands for all in directions near it, so
+// what it brings is spread over the clusters around; then nothing jumps where ways move on to other clusters.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_CLUSTER_NODES 0
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_weight.glsl"
+#include "lib/linear.glsl"
+#include "lib/point_counts.glsl"
+#include "lib/whole_sums.glsl"
+
+layout(constant_id = 0) const uint addsUp = 1u;
+
+layout(std430, set = 0, binding = 1) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 3) readonly buffer AroundTiles { uint around[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Strengths { vec4 strengths[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Strongest { uint strongest[]; };
+layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided[]; };
+layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three a cluster
+layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };  // M₁
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint firstLight;  // of these, or 0
+  uint lights;
+};
+
+// Mean over the clusters around of what the sums have over their areas.
+vec3 sumsOverArea(uint i) {
+  vec3 place = clusters[i].centroidArea.xyz;
+  vec3 normal = clusters[i].normal.xyz;
+  vec3 sum = vec3(0.0);
+  float area = 0.0;
+  uint list = ranges[i].tile * roomOfAround;
+  uint end = list + 1u + around[list];
+  for (uint at = list + 1u; at < end; ++at) {
+    uint leaf = around[at];
+    uint j = firstSurfelOf(floatBitsToUint(centroidLinkOf(leaf).w));
+    vec3 offset = clusters[j].centroidArea.xyz - place;
+    float reach = spreadOf(leaf).z;
+    float near = max(1.0 - dot(offset, offset) / max(reach * reach, 1e-30), 0.0);
+    float weight = near * max(dot(normal, clusters[j].normal.xyz), leastFacing);
+    sum += weight * vec3(sums[3u * j], sums[3u * j + 1u], sums[3u * j + 2u]);
+    area += weight * clusters[j].centroidArea.w;
+  }
+  return sum / max(area, 1e-30);
+}
+
+void main() {
+  float most = uintBitsToFloat(strongest[firstLight]);
+  if (most <= 0.0) return;
+  float whole = wholeOfMost(lights * clusterCount);
+  uint i = linearIndex();
+  if (addsUp == 0u) {
+    if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += most / whole * sumsOverArea(i);
+    return;
+  }
+  uint beam = i / pathsOfBeam;
+  uint path = i % pathsOfBeam;
+  if (beam >= lights * clusterCount) return;
+  vec4 strength = strengths[beam];
+  if (path >= 3u * unpackPointCounts(strength.w).y) return;
+  Guided its = guided[i];
+  uint parts = uint(strength[path % 3u] * its.share / most * whole + 0.5);
+  if (parts > 0u) atomicAdd(sums[3u * its.cluster + path % 3u], parts);
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""What diffusion lets out on the side of a slab where light enters, and on the other, over Monte Carlo, in percent:
+with 1/A as it is on a plane, and as much less as boundary transport makes it in thin parts
+(src/shaders/lib/escape.glsl). Sources fall with the depth z as exp(-z); lengths are in mean free paths, scattering is
+even, both boundaries are smooth dielectrics. Needs NumPy and SciPy.
+
+  tools/thickness.py [ETA [SAMPLES]]
+"""
+
+import sys
+
+import numpy as np
+from collisions import grosjean, robin
+from curvature import ALBEDOS, exitance
+from scipy.linalg import solve_banded
+
+THICKNESSES = (0.15, 0.3, 0.5, 1.0, 2.0, 4.0)
+CELLS = 3000
+
+
+class Slab:
+    """Between z = 0 and z = -thickness."""
+
+    def __init__(self, thickness):
+        self.thickness = thickness
+
+    def start(self, count):
+        return np.zeros((count, 3))
+
+    def depth(self, places):
+        return -places[:, 2]
+
+    def way_out(self, places, directions):
+        z, up = places[:, 2], directions[:, 2]
+        return np.where(up > 0, -z / np.maximum(up, 1e-12), (-self.thickness - z) / np.minimum(up, -1e-12))
+
+    def on_surface(self, places):
+        above = places[:, 2] > -self.thickness / 2
+        normals = np.zeros_like(places)
+        normals[:, 2] = np.where(above, 1, -1)
+        inside = places.copy()
+        inside[:, 2] = np.where(above, -1e-12, 1e-12 - self.thickness)
+        return inside, normals
+
+
+def by_diffusion(thickness, albedo, over_a, source):
+    """At z = 0, Grosjean's diffusion, the depth in cells."""
+    diffusion = grosjean(albedo)
+    edges = np.linspace(0, thickness, CELLS + 1)
+    width = edges[1]
+    outwards = 1 / (2 / over_a + width / (2 * diffusion))
+    bands = np.zeros((3, CELLS))
+    bands[1] = (1 - albedo) * width
+    bands[1, 0] += outwards
+    bands[1, -1] += outwards
+    bands[1, 1:] += diffusion / width
+    bands[1, :-1] += diffusion / width
+    bands[0, 1:] = bands[2, :-1] = -diffusion / width
+    return outwards * solve_banded((1, 1), bands, source((edges[1:] + edges[:-1]) / 2) * width)[0]
+
+
+def of_plane(albedo, eta):
+    """1/A of a plane, as escape.glsl has it."""
+    a = robin(eta)
+    dark = 1 - albedo
+    excess = (1 - 0.47 / a ** 2) * dark / (1 + 3.6 * dark)
+    inwards = 2 * a * np.sqrt(grosjean(albedo) * dark)
+    return inwards / (inwards + excess * (1 + inwards)) / a
+
+
+def main():
+    eta = float(sys.argv[1]) if len(sys.argv) > 1 else 1.3
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 400_000
+    dice = np.random.default_rng(1)
+    print("albedo  thickness   as on a plane    taken")
+    for albedo in ALBEDOS:
+        plane = of_plane(albedo, eta)
+        for thickness in THICKNESSES:
+            sources = (lambda z: np.exp(-z), lambda z, whole=thickness: np.exp(z - whole))
+            exact = exitance(Slab(thickness), albedo, eta, count, dice, sources)
+            taken = plane * (1 - np.exp(-1.3 * max(thickness, 0.2)))
+            off = [[100 * (by_diffusion(thickness, albedo, over_a, source) / e - 1) for e, source in zip(exact, sources)]
+                   for over_a in (plane, taken)]
+            print(f"{albedo:6} {thickness:10.2f}   ", *(f" {lit:+6.1f} {other:+6.1f} " for lit, other in off), flush=True)
+
+
+if __name__ == "__main__":
+    main()
