@@ -259,7 +259,8 @@ struct Clusters {
   gpu::Buffer mirrored;    ///< shared::Mirrored a cluster and light, of a few after the other
   gpu::Buffer peaks;       ///< largest power of those, a float's bits, at the first of the lights
   gpu::Buffer sums;        ///< of those, three whole numbers a cluster; 0 between lights
-  gpu::Buffer guidedSums;  ///< of guided light, three whole numbers a cluster
+  gpu::Buffer guidedSums;  ///< of guided light, three whole numbers a cluster, of lights and then
+                           ///< of what comes from everywhere
   gpu::Buffer arrived;     ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;   ///< shared::BeamNode, of the trees of lib/beam_trees.glsl
   std::uint32_t mostNodesOfBody = 0;  ///< of the tree

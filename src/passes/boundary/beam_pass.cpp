@@ -137,8 +137,10 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
                             Clusters& clusters) const {
   if (wanted.bounces && clusters.lights == 0) commands.fill({clusters.arrived}, 0);
   if (inputs.tables.followsLight)
-    commands.fill({clusters.fromLights.strongest, clusters.fromEverywhere.strongest}, 0);
+    commands.fill(
+        {clusters.fromLights.strongest, clusters.fromEverywhere.strongest, clusters.guidedSums}, 0);
   const std::uint32_t atOnce = clusters.fromLights.room;
+  std::uint32_t lastFirst = 0;
   for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {
     clusters.fromLights.lights = std::min(atOnce, clusters.lights - first);
     commands.beginPass("rays");
@@ -147,7 +149,12 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     commands.endPass();
     commands.beginPass("sources");
     spreadLights(commands, inputs, clusters, first > 0);
-    bringGuided(commands, inputs.tables, first, clusters, clusters.fromLights);
+    addGuided(commands, inputs.tables, first, clusters, clusters.fromLights);
+    lastFirst = first;
+    if (first + atOnce < clusters.lights) {
+      takeGuided(commands, inputs.tables, first, clusters);
+      if (inputs.tables.followsLight) commands.fill({clusters.guidedSums}, 0);
+    }
     commands.endPass();
   }
   if (wanted.sky || wanted.bounces) {
@@ -155,13 +162,14 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     trace(commands, inputs, {clusters.lights, false}, clusters, clusters.fromEverywhere);
     commands.endPass();
   }
-  if (!wanted.sky && clusters.lights > 0) return;
   commands.beginPass("sources");
   if (wanted.sky) {
     spreadEverywhere(commands, inputs, clusters, clusters.lights > 0, wanted.isNew);
-  } else {
+    addGuided(commands, inputs.tables, 0, clusters, clusters.fromEverywhere);
+  } else if (clusters.lights == 0) {
     commands.fill({clusters.sources, clusters.latest}, 0);
   }
+  if (wanted.sky || clusters.lights > 0) takeGuided(commands, inputs.tables, lastFirst, clusters);
   commands.endPass();
 }
 
@@ -179,8 +187,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
                  .arrived = clusters.arrived,
                  .strengths = clusters.fromEverywhere.strengths,
                  .entered = clusters.entered,
-                 .clusterPaints = inputs.tables.paint.clusters,
-                 .strongest = clusters.fromEverywhere.strongest},
+                 .clusterPaints = inputs.tables.paint.clusters},
                 {.clusterCount = clusters.count,
                  .raysOutwards = clusters.raysOutwards,
                  .isFirst = reentry.isFirst});
@@ -264,27 +271,38 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLigh
   }
 }
 
-void BeamPass::bringGuided(gpu::CommandList& commands, const SceneTables& tables,
-                           std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
+void BeamPass::addGuided(gpu::CommandList& commands, const SceneTables& tables,
+                         std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
   if (!tables.followsLight) return;
-  commands.fill({clusters.guidedSums}, 0);
-  for (const auto* pipeline : {&addGuided_, &takeGuided_}) {
-    commands.bind(
-        *pipeline,
-        {.clusterNodes = clusters.nodes,
-         .ranges = clusters.ranges,
-         .clusters = clusters.clusters,
-         .around = clusters.around,
-         .strengths = beams.strengths,
-         .strongest = beams.strongest,
-         .guided = beams.guided,
-         .sums = clusters.guidedSums,
-         .latest = clusters.latest},
-        {.clusterCount = clusters.count, .firstLight = firstLight, .lights = beams.lights});
-    commands.dispatchLinear(pipeline == &addGuided_
-                                ? beams.lights * clusters.count * shared::pathsOfBeam
-                                : clusters.count);
-  }
+  bringGuided(commands, addGuided_, firstLight, clusters, beams);
+  commands.dispatchLinear(beams.lights * clusters.count * shared::pathsOfBeam);
+}
+
+void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables,
+                          std::uint32_t firstLight, Clusters& clusters) const {
+  if (!tables.followsLight) return;
+  bringGuided(commands, takeGuided_, firstLight, clusters, clusters.fromLights);
+  commands.dispatchLinear(clusters.count);
+}
+
+void BeamPass::bringGuided(gpu::CommandList& commands,
+                           const gpu::Compute<shaders::BoundaryGuided>& pipeline,
+                           std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
+  commands.bind(pipeline,
+                {.clusterNodes = clusters.nodes,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .around = clusters.around,
+                 .strengths = beams.strengths,
+                 .strongest = clusters.fromLights.strongest,
+                 .guided = beams.guided,
+                 .sums = clusters.guidedSums,
+                 .latest = clusters.latest,
+                 .strongestOfEverywhere = clusters.fromEverywhere.strongest},
+                {.clusterCount = clusters.count,
+                 .firstLight = firstLight,
+                 .lights = clusters.fromLights.lights,
+                 .comesFromEverywhere = &beams == &clusters.fromEverywhere});
 }
 
 void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
@@ -322,7 +340,6 @@ void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs
     if (isNew && of.roomOfKept > 0) findCoefficients(commands, of);
     sumUp(commands, {.isFirst = from == 0, .adds = adds || from > 0}, of);
   }
-  bringGuided(commands, inputs.tables, 0, clusters, clusters.fromEverywhere);
 }
 
 // As fluence and, where light is followed to its second collision, as what scatters once.

@@ -69,8 +69,15 @@ class BeamPass {
                 Clusters& clusters, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                      Clusters& clusters) const;
-  /// The light of these beams that scattered once and was mirrored inside, to `latest`.
-  void bringGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
+  /// Of the light of these beams, what scattered once and was mirrored inside, added up where it
+  /// leaves.
+  void addGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
+                 Clusters& clusters, Beams& beams) const;
+  /// These sums of the last lights and of what comes from everywhere, to `latest`.
+  void takeGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
+                  Clusters& clusters) const;
+  void bringGuided(gpu::CommandList& commands,
+                   const gpu::Compute<shaders::BoundaryGuided>& pipeline, std::uint32_t firstLight,
                    Clusters& clusters, Beams& beams) const;
   void spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                     bool adds) const;

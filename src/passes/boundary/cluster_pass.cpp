@@ -295,7 +295,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   };
   clusters.peaks = zeros("peaks of mirrored light", shared::maxLights);
   clusters.sums = zeros("sums of mirrored light", 4 * count);
-  clusters.guidedSums = makeRoom<std::uint32_t>(device, "sums of guided light", 3 * count);
+  clusters.guidedSums = makeRoom<std::uint32_t>(device, "sums of guided light", 6 * count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", trees * nodes);
   clusters.mostNodesOfBody = mostNodesOfBody(made);

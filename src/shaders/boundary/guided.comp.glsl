@@ -18,17 +18,32 @@ layout(std430, set = 0, binding = 3) readonly buffer AroundTiles { uint around[]
 layout(std430, set = 0, binding = 4) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Strongest { uint strongest[]; };
 layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided[]; };
-layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three a cluster
+layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three a cluster of lights, then of everywhere
 layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };  // M₁
+layout(std430, set = 0, binding = 9) readonly buffer StrongestOfEverywhere { uint strongestOfEverywhere[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint firstLight;  // of these, or 0
+  uint firstLight;  // of these
   uint lights;
+  uint comesFromEverywhere;  // 1: the light that is added up
 };
 
-// Mean over the clusters around of what the sums have over their areas.
-vec3 sumsOverArea(uint i) {
+// What 1 of the sums is in power.
+float powerOfOne(uint everywhere) {
+  uint most = everywhere != 0u ? strongestOfEverywhere[0] : strongest[firstLight];
+  return uintBitsToFloat(most) / wholeOfMost(everywhere != 0u ? clusterCount : lights * clusterCount);
+}
+
+vec3 sumsOf(uint everywhere, uint i) {
+  uint first = 3u * (everywhere * clusterCount + i);
+  return vec3(sums[first], sums[first + 1u], sums[first + 2u]);
+}
+
+// Mean over the clusters around of the power that leaves over their areas.
+vec3 exitanceAround(uint i) {
+  float ofLights = powerOfOne(0u);
+  float ofEverywhere = powerOfOne(1u);
   vec3 place = clusters[i].centroidArea.xyz;
   vec3 normal = clusters[i].normal.xyz;
   vec3 sum = vec3(0.0);
@@ -42,27 +57,26 @@ vec3 sumsOverArea(uint i) {
     float reach = spreadOf(leaf).z;
     float near = max(1.0 - dot(offset, offset) / max(reach * reach, 1e-30), 0.0);
     float weight = near * max(dot(normal, clusters[j].normal.xyz), leastFacing);
-    sum += weight * vec3(sums[3u * j], sums[3u * j + 1u], sums[3u * j + 2u]);
+    sum += weight * (ofLights * sumsOf(0u, j) + ofEverywhere * sumsOf(1u, j));
     area += weight * clusters[j].centroidArea.w;
   }
   return sum / max(area, 1e-30);
 }
 
 void main() {
-  float most = uintBitsToFloat(strongest[firstLight]);
-  if (most <= 0.0) return;
-  float whole = wholeOfMost(lights * clusterCount);
   uint i = linearIndex();
   if (addsUp == 0u) {
-    if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += most / whole * sumsOverArea(i);
+    if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += exitanceAround(i);
     return;
   }
+  float one = powerOfOne(comesFromEverywhere);
+  if (one <= 0.0) return;
   uint beam = i / pathsOfBeam;
   uint path = i % pathsOfBeam;
-  if (beam >= lights * clusterCount) return;
+  if (beam >= (comesFromEverywhere != 0u ? 1u : lights) * clusterCount) return;
   vec4 strength = strengths[beam];
   if (path >= 3u * unpackPointCounts(strength.w).y) return;
   Guided its = guided[i];
-  uint parts = uint(strength[path % 3u] * its.share / most * whole + 0.5);
-  if (parts > 0u) atomicAdd(sums[3u * its.cluster + path % 3u], parts);
+  uint parts = uint(strength[path % 3u] * its.share / one + 0.5);
+  if (parts > 0u) atomicAdd(sums[3u * (comesFromEverywhere * clusterCount + its.cluster) + path % 3u], parts);
 }

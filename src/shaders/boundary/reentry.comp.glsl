@@ -18,8 +18,6 @@ layout(std430, set = 0, binding = 7) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
 
-layout(std430, set = 0, binding = 11) buffer Strongest { uint strongest[]; };
-
 layout(constant_id = 0) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
@@ -46,5 +44,4 @@ void main() {
   vec3 power = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
   if (withPaint != 0u) power *= clusterPaints[i].entering.rgb;
   strengths[i].rgb = power;
-  if (cluster.second.rgb != vec3(0.0)) atomicMax(strongest[0], floatBitsToUint(largestOf(power)));
 }
