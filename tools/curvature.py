@@ -110,10 +110,10 @@ def exitance(body, albedo, eta, count, dice, sources=SOURCES):
     return sums / count * leaves.mean() / 2
 
 
-def exitance_by_diffusion(curvature, albedo, over_a, source):
-    """Grosjean's diffusion, the depth in cells."""
+def exitance_by_diffusion(curvature, albedo, over_a, source, thickness=None):
+    """Grosjean's diffusion, the depth in cells; with a thickness, light leaves on the other side too."""
     diffusion = grosjean(albedo)
-    deepest = min(1 / curvature, DEEPEST) if curvature > 0 else DEEPEST
+    deepest = thickness or (min(1 / curvature, DEEPEST) if curvature > 0 else DEEPEST)
     edges = np.linspace(0, deepest, CELLS + 1)
     middles = (edges[1:] + edges[:-1]) / 2
     volumes = (1 - curvature * middles) ** 2 * edges[1]
@@ -122,6 +122,8 @@ def exitance_by_diffusion(curvature, albedo, over_a, source):
     bands = np.zeros((3, CELLS))
     bands[1] = (1 - albedo) * volumes
     bands[1, 0] += outwards
+    if thickness:
+        bands[1, -1] += outwards
     bands[1, 1:] += between
     bands[1, :-1] += between
     bands[0, 1:] = -between

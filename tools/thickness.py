@@ -11,11 +11,9 @@ import sys
 
 import numpy as np
 from collisions import grosjean, robin
-from curvature import ALBEDOS, exitance
-from scipy.linalg import solve_banded
+from curvature import ALBEDOS, exitance, exitance_by_diffusion
 
 THICKNESSES = (0.15, 0.3, 0.5, 1.0, 2.0, 4.0)
-CELLS = 3000
 
 
 class Slab:
@@ -43,22 +41,6 @@ class Slab:
         return inside, normals
 
 
-def by_diffusion(thickness, albedo, over_a, source):
-    """At z = 0, Grosjean's diffusion, the depth in cells."""
-    diffusion = grosjean(albedo)
-    edges = np.linspace(0, thickness, CELLS + 1)
-    width = edges[1]
-    outwards = 1 / (2 / over_a + width / (2 * diffusion))
-    bands = np.zeros((3, CELLS))
-    bands[1] = (1 - albedo) * width
-    bands[1, 0] += outwards
-    bands[1, -1] += outwards
-    bands[1, 1:] += diffusion / width
-    bands[1, :-1] += diffusion / width
-    bands[0, 1:] = bands[2, :-1] = -diffusion / width
-    return outwards * solve_banded((1, 1), bands, source((edges[1:] + edges[:-1]) / 2) * width)[0]
-
-
 def of_plane(albedo, eta):
     """1/A of a plane, as escape.glsl has it."""
     a = robin(eta)
@@ -79,8 +61,8 @@ def main():
             sources = (lambda z: np.exp(-z), lambda z, whole=thickness: np.exp(z - whole))
             exact = exitance(Slab(thickness), albedo, eta, count, dice, sources)
             taken = plane * (1 - np.exp(-1.3 * max(thickness, 0.2)))
-            off = [[100 * (by_diffusion(thickness, albedo, over_a, source) / e - 1) for e, source in zip(exact, sources)]
-                   for over_a in (plane, taken)]
+            off = [[100 * (exitance_by_diffusion(0, albedo, over_a, source, thickness) / e - 1)
+                    for e, source in zip(exact, sources)] for over_a in (plane, taken)]
             print(f"{albedo:6} {thickness:10.2f}   ", *(f" {lit:+6.1f} {other:+6.1f} " for lit, other in off), flush=True)
 
 

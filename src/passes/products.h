@@ -218,7 +218,7 @@ struct Beams {
   gpu::Buffer collisions;    ///< shared::FirstCollision, maxFirstPoints a cluster and light
   gpu::Buffer strengths;     ///< vec4 a cluster and light: power that entered; numbers of points
   gpu::Buffer strongest;     ///< largest power of those that are followed to second collisions, a
-                             ///< float's bits, at the first of the lights
+                             ///< float's bits
   gpu::Buffer guided;        ///< shared::Guided, pathsOfBeam a cluster and light
   std::uint32_t room = 1;    ///< lights that there is room for
   std::uint32_t lights = 1;  ///< whose points are there

@@ -136,11 +136,8 @@ void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
   if (wanted.bounces && clusters.lights == 0) commands.fill({clusters.arrived}, 0);
-  if (inputs.tables.followsLight)
-    commands.fill(
-        {clusters.fromLights.strongest, clusters.fromEverywhere.strongest, clusters.guidedSums}, 0);
+  clearGuided(commands, inputs.tables, clusters);
   const std::uint32_t atOnce = clusters.fromLights.room;
-  std::uint32_t lastFirst = 0;
   for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {
     clusters.fromLights.lights = std::min(atOnce, clusters.lights - first);
     commands.beginPass("rays");
@@ -149,11 +146,10 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     commands.endPass();
     commands.beginPass("sources");
     spreadLights(commands, inputs, clusters, first > 0);
-    addGuided(commands, inputs.tables, first, clusters, clusters.fromLights);
-    lastFirst = first;
+    addGuided(commands, inputs.tables, false, clusters);
     if (first + atOnce < clusters.lights) {
-      takeGuided(commands, inputs.tables, first, clusters);
-      if (inputs.tables.followsLight) commands.fill({clusters.guidedSums}, 0);
+      takeGuided(commands, inputs.tables, clusters);
+      clearGuided(commands, inputs.tables, clusters);
     }
     commands.endPass();
   }
@@ -165,11 +161,11 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
   commands.beginPass("sources");
   if (wanted.sky) {
     spreadEverywhere(commands, inputs, clusters, clusters.lights > 0, wanted.isNew);
-    addGuided(commands, inputs.tables, 0, clusters, clusters.fromEverywhere);
+    addGuided(commands, inputs.tables, true, clusters);
   } else if (clusters.lights == 0) {
     commands.fill({clusters.sources, clusters.latest}, 0);
   }
-  if (wanted.sky || clusters.lights > 0) takeGuided(commands, inputs.tables, lastFirst, clusters);
+  if (wanted.sky || clusters.lights > 0) takeGuided(commands, inputs.tables, clusters);
   commands.endPass();
 }
 
@@ -271,23 +267,32 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLigh
   }
 }
 
-void BeamPass::addGuided(gpu::CommandList& commands, const SceneTables& tables,
-                         std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
+void BeamPass::clearGuided(gpu::CommandList& commands, const SceneTables& tables,
+                           Clusters& clusters) {
   if (!tables.followsLight) return;
-  bringGuided(commands, addGuided_, firstLight, clusters, beams);
-  commands.dispatchLinear(beams.lights * clusters.count * shared::pathsOfBeam);
+  commands.fill(
+      {clusters.fromLights.strongest, clusters.fromEverywhere.strongest, clusters.guidedSums}, 0);
+}
+
+void BeamPass::addGuided(gpu::CommandList& commands, const SceneTables& tables, bool ofEverywhere,
+                         Clusters& clusters) const {
+  if (!tables.followsLight) return;
+  bringGuided(commands, addGuided_, ofEverywhere, clusters);
+  const std::uint32_t lights = ofEverywhere ? 1 : clusters.fromLights.lights;
+  commands.dispatchLinear(lights * clusters.count * shared::pathsOfBeam);
 }
 
 void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables,
-                          std::uint32_t firstLight, Clusters& clusters) const {
+                          Clusters& clusters) const {
   if (!tables.followsLight) return;
-  bringGuided(commands, takeGuided_, firstLight, clusters, clusters.fromLights);
+  bringGuided(commands, takeGuided_, false, clusters);
   commands.dispatchLinear(clusters.count);
 }
 
 void BeamPass::bringGuided(gpu::CommandList& commands,
-                           const gpu::Compute<shaders::BoundaryGuided>& pipeline,
-                           std::uint32_t firstLight, Clusters& clusters, Beams& beams) const {
+                           const gpu::Compute<shaders::BoundaryGuided>& pipeline, bool ofEverywhere,
+                           Clusters& clusters) {
+  Beams& beams = ofEverywhere ? clusters.fromEverywhere : clusters.fromLights;
   commands.bind(pipeline,
                 {.clusterNodes = clusters.nodes,
                  .ranges = clusters.ranges,
@@ -300,9 +305,8 @@ void BeamPass::bringGuided(gpu::CommandList& commands,
                  .latest = clusters.latest,
                  .strongestOfEverywhere = clusters.fromEverywhere.strongest},
                 {.clusterCount = clusters.count,
-                 .firstLight = firstLight,
                  .lights = clusters.fromLights.lights,
-                 .comesFromEverywhere = &beams == &clusters.fromEverywhere});
+                 .comesFromEverywhere = ofEverywhere});
 }
 
 void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,

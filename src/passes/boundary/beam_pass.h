@@ -69,16 +69,16 @@ class BeamPass {
                 Clusters& clusters, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                      Clusters& clusters) const;
-  /// Of the light of these beams, what scattered once and was mirrored inside, added up where it
-  /// leaves.
-  void addGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
-                 Clusters& clusters, Beams& beams) const;
-  /// These sums of the last lights and of what comes from everywhere, to `latest`.
-  void takeGuided(gpu::CommandList& commands, const SceneTables& tables, std::uint32_t firstLight,
-                  Clusters& clusters) const;
-  void bringGuided(gpu::CommandList& commands,
-                   const gpu::Compute<shaders::BoundaryGuided>& pipeline, std::uint32_t firstLight,
-                   Clusters& clusters, Beams& beams) const;
+  /// Of light that scattered once, what was mirrored inside: none yet; of the last lights or of
+  /// what comes from everywhere, added up where it leaves; and both sums, to `latest`.
+  static void clearGuided(gpu::CommandList& commands, const SceneTables& tables,
+                          Clusters& clusters);
+  void addGuided(gpu::CommandList& commands, const SceneTables& tables, bool ofEverywhere,
+                 Clusters& clusters) const;
+  void takeGuided(gpu::CommandList& commands, const SceneTables& tables, Clusters& clusters) const;
+  static void bringGuided(gpu::CommandList& commands,
+                          const gpu::Compute<shaders::BoundaryGuided>& pipeline, bool ofEverywhere,
+                          Clusters& clusters);
   void spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                     bool adds) const;
   void spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,

@@ -209,7 +209,7 @@ Beams makeBeams(gpu::Device& device, const std::string& from, std::size_t beams)
       makeRoom<shared::BeamPoint>(device, name("points"), shared::maxPoints * beams),
       makeRoom<shared::FirstCollision>(device, name("collisions"), shared::maxFirstPoints * beams),
       makeRoom<shared::vec4>(device, name("strengths"), beams),
-      makeRoom<std::uint32_t>(device, name("strongest"), shared::maxLights),
+      makeRoom<std::uint32_t>(device, name("strongest"), 1),
       makeRoom<shared::Guided>(device, name("guided light"), shared::pathsOfBeam * beams)};
 }
 

@@ -231,6 +231,6 @@ void main() {
   if (mirrors != 0u) mirrored[beam] = goesOn;
   if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
   bool isFollowed = cluster.second.rgb != vec3(0.0);
-  if (isFollowed) atomicMax(strongest[everywhere ? 0u : firstLight], floatBitsToUint(largestOf(power)));
+  if (isFollowed) atomicMax(strongest[0], floatBitsToUint(largestOf(power)));
   strengths[beam] = vec4(power, packPointCounts(pointCount, isFollowed ? secondPointsOf(pointCount, everywhere) : 0u));
 }

@@ -24,14 +24,13 @@ layout(std430, set = 0, binding = 9) readonly buffer StrongestOfEverywhere { uin
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint firstLight;  // of these
   uint lights;
   uint comesFromEverywhere;  // 1: the light that is added up
 };
 
 // What 1 of the sums is in power.
 float powerOfOne(uint everywhere) {
-  uint most = everywhere != 0u ? strongestOfEverywhere[0] : strongest[firstLight];
+  uint most = everywhere != 0u ? strongestOfEverywhere[0] : strongest[0];
   return uintBitsToFloat(most) / wholeOfMost(everywhere != 0u ? clusterCount : lights * clusterCount);
 }
 
