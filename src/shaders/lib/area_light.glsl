@@ -1,4 +1,4 @@
-// Area lights: what a place sees of them and how much light comes from there, as long as nothing is
+// Area lights: what a place sees of them and how much light comes from there if nothing is in
 // between. Needs lib/frame.glsl.
 #ifndef OPALINE_LIB_AREA_LIGHT
 #define OPALINE_LIB_AREA_LIGHT
@@ -9,19 +9,20 @@
 #include "lib/unit.glsl"
 #include "shared/medium.h"
 
-// What a place sees of a light, from there: a parallelogram, a disc, or a tube's near side.
+// What a place sees of a light, relative to it: a parallelogram, a disc, or a tube's near side.
 struct AreaView {
   uint shape;
   vec3 middle;   // mm
-  vec3 u;        // of a parallelogram and a disc, from the middle to the edge; half a tube's axis
-  vec3 v;        // the same; of a tube, unit, from the axis to the place
-  vec3 across;   // of a tube, unit, at right angles to both
+  vec3 u;        // for a parallelogram or a disc, from the middle to the edge; for a tube, half its
+                 // axis
+  vec3 v;        // the same; for a tube, unit, from the axis to the place
+  vec3 across;   // for a tube, unit, at right angles to both
   float radius;  // of a tube
-  vec2 edge;     // of a tube, the cosine and sine of half the angle about its axis that is seen
+  vec2 edge;     // for a tube, the cosine and sine of half the angle about its axis that is seen
   bool shines;   // to the place
 };
 
-// Of a disc that is drawn as a polygon of twelve corners and equal area, their distance.
+// Distance of the corners of a twelve-sided polygon that stands for a disc of equal area.
 const float cornerOfDisc = 1.0232670;  // √(2π / 12 sin 30°)
 
 AreaView discOfSphere(AreaView view, float radius) {
@@ -62,13 +63,13 @@ AreaView areaViewFrom(vec3 position, uint index) {
   return view;
 }
 
-// At an angle about its axis of that cosine and sine.
+// The point at the angle about its axis that has that cosine and sine.
 vec3 onTube(AreaView view, float along, vec2 angle) {
   return view.middle + along * view.u + view.radius * (angle.x * view.v + angle.y * view.across);
 }
 
-// Of the polygon that is seen, its corners one after the other: middle + at.x x + at.y y, and at a tube's two ends
-// `along` more or less. A tube's has six corners on the near half of either rim.
+// The polygon that is seen. Its corners follow each other at middle + at.x x + at.y y, and at a tube's two ends
+// plus or minus `along`. A tube's has six corners on the near half of either rim.
 struct Outline {
   vec3 middle;
   vec3 x;
@@ -108,7 +109,8 @@ vec3 cornerOf(Outline outline) {
   return outline.middle + outline.at.x * outline.x + outline.at.y * outline.y + outline.along;
 }
 
-// To the corner after the i-th. At the end of a rim to the other one, which goes the other way.
+// Goes to the corner after the i-th. The end of one rim leads to the other, which goes the other
+// way.
 void goOn(inout Outline outline, AreaView view, uint i) {
   if (view.shape == tubeShape && i % cornersOfRim == cornersOfRim - 1u) {
     outline.along = -outline.along;
@@ -118,8 +120,8 @@ void goOn(inout Outline outline, AreaView view, uint i) {
   }
 }
 
-// γ / 2 sin γ of the angle between two vectors, times their cross product over their lengths: the
-// part of an edge in Lambert's formula. The angle is found by three halvings of its tangent.
+// γ / 2 sin γ of the angle γ between two vectors, times their cross product over their lengths: the
+// part of an edge in Lambert's formula. Three halvings of its tangent find the angle.
 vec3 edgeOf(vec3 a, vec3 b) {
   float product = sqrt(dot(a, a) * dot(b, b));
   float whole = max(product + dot(a, b), 1e-6 * product);
@@ -134,9 +136,9 @@ vec3 edgeOf(vec3 a, vec3 b) {
   return normal * (4.0 * series / (max(whole, 1e-30) * root1 * root2));
 }
 
-// The vector irradiance of unit radiance at a surface, by what lies above it: Lambert's formula for
-// the polygon, cut off at the horizon, after directions have been transformed. Where it is cut off, edges go along the
-// horizon, of which each gives half its angle along the normal: together that of a product of complex numbers.
+// The vector irradiance of unit radiance at a surface from what lies above it: Lambert's formula for the polygon, cut
+// off at the horizon after directions have been transformed. Each edge along the horizon gives half its angle along
+// the normal. The sum of these angles is that of a product of complex numbers.
 vec3 vectorIrradianceOf(AreaView view, mat3 transform, vec3 normal) {
   mat2x3 horizon = axesAcross(normal);
   vec2 turned = vec2(1.0, 0.0);  // along the horizon, from where the polygon goes below it to where it comes up
@@ -162,8 +164,8 @@ vec3 vectorIrradianceOf(AreaView view, mat3 transform, vec3 normal) {
   return dot(sum, normal) < 0.0 ? -sum : sum;
 }
 
-// What is so far away that rounding would tell in the sum over its edges is a point: the area that is
-// seen over the distance squared.
+// A light so far away that rounding would show in the sum over its edges is taken for a point: the
+// area that is seen over the distance squared.
 const float leastOfDistance = 1e-3;
 
 float sizeOf(AreaView view) {
@@ -177,13 +179,13 @@ float areaOver(AreaView view, vec3 direction, float squared) {
   return (view.shape == rectangleShape ? 4.0 : pi) * area;
 }
 
-// Directions across the normal become so many times as long.
+// Makes directions across the normal this many times as long.
 mat3 acrossBy(vec3 normal, float factor) {
   return mat3(factor) + (1.0 - factor) * outerProduct(normal, normal);
 }
 
-// The light that enters of unit radiance, as a vector: what enters a surface that faces `normal`, or nearly that way, is
-// its part along that. The Fresnel term as two lobes (lights/fresnel_lobes.h).
+// The light of unit radiance that enters, as a vector: a surface that faces `normal`, or nearly so, is entered by its
+// component that way. The Fresnel term is taken as two lobes (lights/fresnel_lobes.h).
 vec3 enteringVectorOf(AreaView view, vec3 normal, MediumData medium) {
   float squared = dot(view.middle, view.middle);
   float size = sizeOf(view);
@@ -210,7 +212,7 @@ vec3 areaEntering(uint index, vec3 position, vec3 normal, MediumData medium) {
                      : vec3(0.0);
 }
 
-// Where the light of an area light comes from, on the whole.
+// The mean direction from which an area light shines.
 vec3 directionOfArea(uint index, vec3 position, vec3 normal) {
   AreaView view = areaViewFrom(position, index);
   return unitOr(vectorIrradianceOf(view, mat3(1.0), normal), unitOr(view.middle, normal));

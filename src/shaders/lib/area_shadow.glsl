@@ -12,14 +12,14 @@ struct Receiver {
   float eta;     // index of refraction
 };
 
-// What the rays of a place have found: light that would come, and that comes.
+// What the rays of a place have found: light that would come, and light that does.
 struct Share {
   float all;
   float visible;
 };
 
-// The i-th of a net over the light (Sobol 1967): each four, sixteen, … that follow each other have one in each part of
-// it that is as large.
+// The i-th place of a net over the light (Sobol 1967). Each run of 4, 16, … places has one in each quarter, sixteenth,
+// … of the light.
 vec2 netPlace(uint i) {
   uint across = 0u;
   uint direction = 1u << 31u;
@@ -27,11 +27,11 @@ vec2 netPlace(uint i) {
     if ((rest & 1u) != 0u) across ^= direction;
     direction ^= direction >> 1u;
   }
-  const float middle = 1.0 / 512.0;  // of the parts of 256
+  const float middle = 1.0 / 512.0;  // of one of 256 parts
   return vec2(bitfieldReverse(i), across) / 4294967296.0 + middle;
 }
 
-// A place on the light's edge, so far around it, in [0, 1).
+// A place on the light's edge, `along` of the way around it, in [0, 1).
 vec2 edgePlace(AreaView view, float along) {
   const float almost = 0.999;
   if (view.shape == discShape) return vec2(almost, along);
@@ -40,8 +40,8 @@ vec2 edgePlace(AreaView view, float along) {
   return mix(vec2(0.5), at, almost);
 }
 
-// The first places that neighbours ask, which of 16 and of so many turns in [0, 4). Most lie on the light's edge: what
-// comes before the light hides some of these first. So where all agree, all of it is seen or none.
+// The first places that neighbours test: which of 16, in a turn in [0, 4). Most lie on the light's edge, because
+// whatever covers the light hides some of these first. So where all agree, all of the light is seen or none.
 vec2 firstPlace(AreaView view, uint which, uint turn) {
   const uint placesOfEdge = 12u;  // so that corners are among them; those of other turns lie between
   uint i = 5u * which % 16u;  // neighbours do not ask for neighbouring places
@@ -49,7 +49,7 @@ vec2 firstPlace(AreaView view, uint which, uint turn) {
   return edgePlace(view, (float(i) + 0.25 * float(turn)) / float(placesOfEdge));
 }
 
-// Asks one place on the light, for two numbers in [0, 1).
+// Tests one place on the light, for two numbers in [0, 1).
 void sendRay(AreaView view, Receiver to, vec2 at, uint nodeCount, inout Share share) {
   AreaSample place = sampleOf(view, at);
   float squared = dot(place.offset, place.offset);

@@ -4,7 +4,8 @@
 #define OPALINE_LIB_ASKED_LIST
 #include "lib/seen_list.glsl"
 
-layout(std430, set = 0, binding = BINDING_ASKED) readonly buffer Asked { uint asked[]; };  // entries of the list of all
+layout(std430, set = 0, binding = BINDING_ASKED) readonly buffer Asked { uint asked[]; };  // indices into the list of
+                                                                                           // all
 layout(std140, set = 0, binding = BINDING_ASKED + 1) uniform AskedCounts { SeenCount askedCount; };
 
 Seen askedOfInvocation(uint first) {

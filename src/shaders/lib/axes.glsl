@@ -2,7 +2,7 @@
 #ifndef OPALINE_LIB_AXES
 #define OPALINE_LIB_AXES
 
-// Unit vectors that with the direction, a unit vector too, are right-handed (Duff et al. 2017).
+// Unit vectors that form a right-handed frame with a unit direction (Duff et al. 2017).
 mat2x3 axesAcross(vec3 direction) {
   float s = direction.z >= 0.0 ? 1.0 : -1.0;
   float a = -1.0 / (s + direction.z);

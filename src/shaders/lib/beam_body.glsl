@@ -10,10 +10,10 @@ struct Body {
   float eta;
   RayTarget target;
   float side;   // -1 where it is mirrored
-  float least;  // rays start that far from where they leave, mm
+  float least;  // distance from the surface at which rays start, mm
 };
 
-// Of a cluster, where light enters.
+// The body below a cluster where light enters.
 Body bodyAt(Cluster cluster, ObjectData object, vec3 place) {
   return Body(insideOf(object), mediumAt(object, place).boundary.x,
               RayTarget(object.tree.x, object.tree.w, object.body.x), cluster.along.w, rayStartOf(cluster));
@@ -39,8 +39,8 @@ RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
   return nearestExit(origin, direction, body.side, body.least, furthest, body.target);
 }
 
-// Light that scatters forwards is, to diffusion, a source that much further on, mm; in front of a surface
-// at that distance as far as free paths end before it.
+// For diffusion, light that scatters forwards is a source this much further on, mm. It is less in front
+// of a surface `leftMm` away, since fewer free paths end before it.
 vec3 forwards(Body body, vec3 leftMm) {
   if (body.medium.collision.w == 0.0) return vec3(0.0);
   vec3 whole = body.medium.collision.w / body.medium.extinction.rgb;

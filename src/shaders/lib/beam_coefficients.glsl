@@ -1,5 +1,5 @@
 // What is kept of a tile's list of points of light, by the shape alone: the inner nodes, and what leaves give the
-// tile's clusters, whatever their strength. As much of it as there is room for.
+// tile's clusters, whatever their strength. As much is kept as there is room for.
 #ifndef OPALINE_LIB_BEAM_COEFFICIENTS
 #define OPALINE_LIB_BEAM_COEFFICIENTS
 #define LEAVES_BY_THEMSELVES
@@ -9,16 +9,16 @@
 layout(std430, set = 0, binding = 12) writeonly buffer Coefficients { vec4 coefficients[]; };
 layout(std430, set = 0, binding = 13) writeonly buffer Kept { uint kept[]; };
 
-// What light of unit power that enters through a leaf's cluster gives, in tileLight.
+// Finds what light of unit power that enters through a leaf's cluster gives, in tileLight.
 void putPoints(uint cluster);
 void putPointsApart(uint cluster, vec3 middle);
 void putNode(BeamNode node, vec3 power);
 void putNodeApart(BeamNode node, vec3 power, vec3 middle);
 
-// Bits of less may be lost, and those of another coefficient with them.
+// A smaller coefficient could lose its bits, and those of the one it is packed with.
 const float leastCoefficient = 1e-30;
 
-// From tileLight.
+// Writes tileLight.
 void putCoefficients(uint place) {
   float halves[4u * texelsOfPoints];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; t += 2u) {
@@ -31,8 +31,8 @@ void putCoefficients(uint place) {
     coefficients[first + i] = vec4(halves[4u * i], halves[4u * i + 1u], halves[4u * i + 2u], halves[4u * i + 3u]);
 }
 
-// Where what is kept of the tile begins: after that of the tiles of groups before, as if each had all of them, and
-// of those of its own before. None is longer than its list.
+// Where the kept part of the tile begins: after those of earlier groups, as if each had its most tiles, and after
+// earlier tiles of its own group. No kept part is longer than its list.
 uint firstOfTile() {
   uint sum = 0u;
   for (uint g = gl_LocalInvocationIndex; g < tile.group; g += invocationsOfTile)
@@ -45,7 +45,7 @@ uint firstOfTile() {
   return maxTilesOfGroup * all + before * lists[startOfTilesList()];
 }
 
-// Of a leaf, whose light is found next.
+// Begins a leaf, whose light is found next.
 uint takeLeaf(uint word, uint node) {
   takeWayFrom(node);
   uint cluster = clusterOf(readListed(node));

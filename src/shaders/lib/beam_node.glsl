@@ -1,4 +1,4 @@
-// Nodes of points of light (shared/boundary.h), read as texels, and how they lie to clusters that they shine
+// Nodes of points of light (shared/boundary.h), read as texels, and how they lie to the clusters they shine
 // on. Needs BINDING_BEAM_NODES.
 #ifndef OPALINE_LIB_BEAM_NODE
 #define OPALINE_LIB_BEAM_NODE
@@ -19,7 +19,7 @@ uint linkOf(BeamNode node) {
   return floatBitsToUint(node.greenLink.w);
 }
 
-// The cluster whose points a leaf has; of other nodes any.
+// The cluster whose points a leaf has; any for other nodes.
 uint clusterOf(BeamNode node) {
   return isLeaf(linkOf(node)) ? firstSurfelOf(linkOf(node)) : 0u;
 }
@@ -28,24 +28,24 @@ vec3 powerOf(BeamNode node) {
   return vec3(node.redPower.w, node.extent.w, node.bluePower.w);
 }
 
-// Clusters within a sphere.
+// A sphere that holds some clusters.
 struct Around {
   vec3 middle;
   float radius;
 };
 
-// No centroid lies nearer to the sphere's middle.
+// No centroid lies nearer than this to the sphere's middle.
 float leastDistance(BeamNode node, Around around) {
   return distance(node.greenLink.xyz, around.middle) - node.extent.y;
 }
 
-// No centroid lies nearer to a cluster.
+// No centroid lies nearer than this to a cluster.
 float nearestOf(BeamNode node, Around around) {
   return max(leastDistance(node, around) - around.radius, 0.0);
 }
 
-// Which nodes act on the clusters of a group, as a list: how many, and then which. Some are marked: unless
-// such a node is far from a tile, its points are taken one by one.
+// The nodes that act on the clusters of a group, as a list: how many, and then which. The points of a
+// marked node are taken one by one unless it is far from the tile.
 const uint openedBit = 1u << 31u;
 
 uint startOfList(uint group, uint room) {

@@ -1,4 +1,5 @@
-// Sums of light at the clusters of a tile: what is kept of its list (lib/beam_coefficients.glsl), and what comes of them.
+// Sums of light at the clusters of a tile, from what is kept of its list (lib/beam_coefficients.glsl), and what is
+// written of them.
 #ifndef OPALINE_LIB_BEAM_SUM
 #define OPALINE_LIB_BEAM_SUM
 #include "lib/beam_tile.glsl"
@@ -13,7 +14,7 @@ layout(std430, set = 0, binding = 13) readonly buffer Kept { uint kept[]; };
 void addNode(uint node);
 void expandNode(uint node, vec3 middle);
 
-// By the coefficients at that place.
+// Adds a leaf by the coefficients at that place.
 void addKept(uint place, uint cluster) {
   vec3 strength = strengthOf(beamOf(cluster)).rgb;
   int first = int(place * texelsOfPoints);
@@ -31,7 +32,7 @@ void addKept(uint place, uint cluster) {
   }
 }
 
-// All that is kept of the tile. Returns how much of its list that is.
+// Adds all that is kept of the tile. Returns how much of its list that is.
 uint sumKept(vec3 middle) {
   if (roomOfKept == 0u) return 0u;
   uint counts = countsOfTile();
@@ -50,7 +51,7 @@ uint sumKept(vec3 middle) {
   return entries;
 }
 
-// For the tile's `target`, that sum and what `own` adds to it, times a factor.
+// Writes for the tile's `target` that sum and what `own` adds to it, times a factor.
 void putLight(uint target, vec3 sum, vec3 own, vec3 factor) {
   if (target >= tile.endCluster - tile.firstCluster) return;
   uint i = tile.firstCluster + target;

@@ -21,20 +21,20 @@ layout(std430, set = 0, binding = 9) readonly buffer Lists { uint lists[]; };
 layout(push_constant) uniform Push {
   uint tileCount;
   float openingAngle;
-  uint adds;     // 1: to what other light and other nodes gave
-  uint isFirst;  // 1: of the dispatches for these lights
+  uint adds;     // 1: adds to what other light and other nodes gave
+  uint isFirst;  // 1: this is the first dispatch for these lights
   uint lights;
   uint clusterCount;
   uint room;         // of a list
-  uint firstTree;    // of the lights'
-  uint firstListed;  // of those by which lists are made and leaves are opened
+  uint firstTree;    // the first of the lights
+  uint firstListed;  // the first of those by which lists are made and leaves are opened
   uint nodeCount;    // of a tree
   uint groupCount;
-  uint kindOfBeams;  // 1: that scatter once
-  uint roomOfKept;   // of entries of each kind; 0: nothing is kept
+  uint kindOfBeams;  // 1: light that scatters once
+  uint roomOfKept;   // in entries of each kind; 0: nothing is kept
 };
 
-uint light;  // of which the sum is
+uint light;  // the one that is summed
 
 uint beamOf(uint cluster) {
   return light * clusterCount + cluster;
@@ -57,7 +57,8 @@ bool isLit() {
   return readLit(body.clusters.x).extent.x >= 0.0;
 }
 
-// What is kept of the tile's list: its counts, and the words of what begins at an entry.
+// Where the counts of what is kept of the tile's list are, and the words of what begins at an
+// entry.
 uint countsOfTile() {
   return (kindOfBeams * tileCount + tileIndex) * countsOfKept;
 }
@@ -84,8 +85,8 @@ Around aroundTile() {
   return Around(middle, sqrt(squared));
 }
 
-// What an entry of the list is to the tile: a node near it, a node apart from it, and likewise a leaf whose points are
-// taken one by one. With LEAVES_BY_THEMSELVES other leaves come between inner nodes and those. Entries of a kind are
+// What an entry of the list is to the tile: a node near it or apart from it, or a leaf near or apart whose points are
+// taken one by one. With LEAVES_BY_THEMSELVES other leaves have kinds of their own in between. Entries of a kind are
 // summed side by side, since a device may execute both sides of every branch.
 #ifdef LEAVES_BY_THEMSELVES
 const uint kindsOfEntries = 6u;
@@ -93,18 +94,18 @@ const uint kindsOfEntries = 6u;
 const uint kindsOfEntries = 4u;
 #endif
 
-// From beyond that many of a tile's radii, light changes little over it.
+// Beyond this many of a tile's radii, light changes little over the tile.
 const float apartInRadii = 4.0;
 
 uint kindOf(uint entry, Around around, float sigma) {
   BeamNode node = readListed(entry & ~openedBit);
   uint cluster = clusterOf(node);
   bool listed = (entry & openedBit) != 0u;
-  // The tile's own are always opened: parts of them are discs.
+  // The tile's own leaves are always opened, because parts of them are discs.
   bool own = listed && cluster >= tile.firstCluster && cluster < tile.endCluster;
   float nearest = nearestOf(node, around);
   bool opened = own || listed && !isFar(nearest * nearest, node.extent.x, sigma, openingAngle);
-  // By the shape alone it is not known where in the node the power lies.
+  // The shape alone does not tell where in the node the power lies.
   bool wide = opened || firstListed != firstTree;
   float reached = apartInRadii * around.radius + (wide ? 2.0 * node.extent.z : 0.0);
   bool apart = !own && leastDistance(node, around) > reached;
@@ -113,7 +114,7 @@ uint kindOf(uint entry, Around around, float sigma) {
 }
 
 // The list is sorted by kinds in parts.
-const uint entriesAtOnce = 256u / invocationsOfTile;  // of an invocation
+const uint entriesAtOnce = 256u / invocationsOfTile;  // per invocation
 const uint sizeOfPart = entriesAtOnce * invocationsOfTile;
 shared uint sorted[sizeOfPart];
 uint ends[kindsOfEntries];  // of each kind
@@ -121,9 +122,9 @@ uint ends[kindsOfEntries];  // of each kind
 void sortPart(uint list, uint begin, uint end, Around around, float sigma) {
   begin += gl_LocalInvocationIndex;
   uint mine = begin < end ? (end - begin + invocationsOfTile - 1u) / invocationsOfTile : 0u;
-  uint halves = 0u;  // which of two kinds, of up to 16 entries
-  uint pairs = 0u;   // which two, by two bits each
-  uint counts[kindsOfEntries / 2u];  // of two kinds each, in halves
+  uint halves = 0u;  // which of two kinds, a bit for each of up to 16 entries
+  uint pairs = 0u;   // which pair of kinds, two bits each
+  uint counts[kindsOfEntries / 2u];  // two kinds in each, in halves
   [[unroll]] for (uint p = 0u; p < kindsOfEntries / 2u; ++p) counts[p] = 0u;
   for (uint e = 0u; e < mine; ++e) {
     uint k = begin + e * invocationsOfTile;

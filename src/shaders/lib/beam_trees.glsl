@@ -1,5 +1,5 @@
-// Trees of points of light: of sources of fluence and, where some is followed to its second collision, of light
-// that scatters once; these are the kinds. First come those of what comes from everywhere as the shape alone has
+// Trees of points of light. Their kinds are sources of fluence and, where some light is followed to its second
+// collision, light that scatters once. First come the trees of light from everywhere as the shape alone has
 // them, then those of each light as it is.
 #ifndef OPALINE_LIB_BEAM_TREES
 #define OPALINE_LIB_BEAM_TREES

@@ -1,6 +1,6 @@
-// Blocks of pixels whose light is interpolated from 3×3 knots: of 8×8 pixels, and of 4×4, which are quarters of those.
-// Knots on a block's last side are the first of the next. An invocation has a narrow block, and a work group a square of
-// them. Needs, before it, lib/neighbours.glsl.
+// Blocks of pixels whose light is interpolated from 3×3 knots: 8×8 pixels, or 4×4, a quarter of those. Knots on a
+// block's last side are the first of the next. An invocation has a narrow block, and a work group a square of them.
+// Needs, before it, lib/neighbours.glsl.
 #ifndef OPALINE_LIB_BLOCKS
 #define OPALINE_LIB_BLOCKS
 #include "lib/morton.glsl"
@@ -9,7 +9,7 @@ const int narrowBlock = int(widthOfBlock);
 const int wideBlock = 2 * narrowBlock;
 const int pixelsOfBlock = narrowBlock * narrowBlock;
 
-// What is known of a narrow block, or zero: every pixel has a sum of its own.
+// What is known of a narrow block. Where it is zero, every pixel has a sum of its own.
 const uint isNarrow = 1u;  // one smooth surface fills it
 const uint isWide = 2u;    // it is a quarter of a wide one that such a surface fills
 const uint isDone = 3u;    // its light is known

@@ -7,19 +7,20 @@
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
-// Whether a node may be taken for what is below it: from further than its radius over the opening
-// angle. Where light falls off within the node, that is felt to be larger; twice
-// is enough, because from further away nothing comes.
+// Whether a node may stand for what is below it: from further than its radius over the opening
+// angle. Where light falls off within the node, the radius is felt to be larger. Twice is enough,
+// because no light comes from further away.
 bool isFar(float squaredMm2, float radius, float sigmaPerMm, float openingAngle) {
   float felt = radius * clamp(sigmaPerMm * radius, 1.0, 2.0);
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 
-// Places nearer to each other are one: one over their distance, cubed, is no number that is too large.
+// Places nearer to each other than this are one, so that the inverse cube of their distance is not too
+// large a number.
 const float leastSquaredMm2 = 1e-18;
 
-// A cluster of that area as a disc fills less of the solid angle than its area over the squared
-// distance: what that is to be multiplied by, on the disc's axis.
+// A cluster taken as a disc fills less of the solid angle than its area over the squared distance.
+// This is the factor between the two, on the disc's axis.
 float coverageOfDisc(float squaredMm2, float areaMm2) {
   float x2 = min(squaredMm2 * pi / max(areaMm2, 1e-30), 1e12);
   // 2x² (1 - x/√(1+x²)) without its cancellation.
@@ -27,31 +28,32 @@ float coverageOfDisc(float squaredMm2, float areaMm2) {
   return 2.0 * x2 / (root * (root + sqrt(x2)));
 }
 
-// What is added to the square of the distance between two clusters for 1 over it to be a mean over
-// both, mm²: in the middle of a disc it is 2/ρ, and over a disc that lies on another of its size,
-// 16/3πρ.
+// What is added to the squared distance between two clusters to make 1 over the distance a mean
+// over both, mm². That mean is 2/ρ in the middle of a disc, and 16/3πρ over a disc that lies on
+// another of its size.
 float smoothingOf(float areaMm2, float areaOfOtherMm2) {
   return (0.25 * max(areaMm2, areaOfOtherMm2) + 0.097 * min(areaMm2, areaOfOtherMm2)) / pi;
 }
 
-// Rays start that far from where they leave a cluster's surface, mm.
+// Distance from a cluster's surface at which rays start, mm.
 float rayStartOf(Cluster cluster) {
   return 1e-4 * cluster.normal.w;
 }
 
-// Of the single layer in the equation, 1 / 2AD.
+// Weight of the single layer in the equation, 1 / 2AD.
 vec3 singleLayerWeight(BoundaryMedium medium) {
   return 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
 }
 
-// Of a medium in each channel: 0 where all light is followed to its second collision, 1 where diffusion
-// takes over from the first.
+// For each channel of a medium: 0 where all light is followed to its second collision, 1 where
+// diffusion takes over from the first.
 vec3 whitenessOf(BoundaryMedium medium) {
   return smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
 }
 
-// Of diffuse light that enters through a cluster, what enters the diffusion at the surface itself: all
-// where the body is white and thicker than some mean free paths. The rest is followed to its collisions.
+// Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface
+// itself: all of it where the body is white and thicker than some mean free paths. The rest is followed
+// to its collisions.
 vec3 shareAtSurface(float thicknessMm, BoundaryMedium medium) {
   return smoothstep(2.0, 5.0, thicknessMm * medium.extinction.rgb) * whitenessOf(medium);
 }
@@ -63,7 +65,8 @@ vec3 fluenceAtSurface(vec3 entered, float thicknessMm, BoundaryMedium medium) {
   return overIrradiance * shareAtSurface(thicknessMm, medium) * entered;
 }
 
-// Of the light that entered through a cluster, what its first collisions are given as sources of fluence.
+// Of the light that entered through a cluster, the share that becomes sources of fluence at its first
+// collisions.
 vec3 shareOfFirst(Cluster cluster) {
   return 1.0 - cluster.second.rgb;
 }

@@ -21,8 +21,8 @@ TEXELS(BINDING_MEANS, means);
 TEXELS(BINDING_NEARBY, nearby);
 #endif
 
-// Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
-// has between them; the smaller they are, the less of its detail is wanted.
+// Clusters this many mean free paths or diffusion lengths wide resolve nothing of what a half-space
+// has between them. The smaller they are, the less of its detail is wanted.
 const float coarseInFreePaths = 4.0;
 const float coarseInDiffusionLengths = 1.0;
 
@@ -30,7 +30,7 @@ const float coarseInDiffusionLengths = 1.0;
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(std430, set = 0, binding = BINDING_BARE_LIGHTS) readonly buffer BareLights { BareLight bareLights[]; };
 
-// Of a painted body: what has entered the diffusion at the surface, which the walk below finds too.
+// For a painted body, what has entered the diffusion at the surface; the walk below finds it too.
 vec3 enteredAround = vec3(0.0);
 
 vec3 exitanceOfCluster(uint i, bool painted, float weight) {
@@ -51,8 +51,8 @@ struct Around {
   float squares;  // of distances, mm²
 };
 
-// 1 over how thick a plate is through which light leaves like here, 1/mm. Its ways through a ball are longest straight on,
-// through a plate at a slant: a ball is like a plate that is twice as thick.
+// 1 over the thickness of a plate through which light leaves as it does here, 1/mm. Ways through a ball are longest
+// straight on, those through a plate at a slant: a ball is like a plate that is twice as thick.
 float overThicknessOf(Around around, float weight) {
   float over = around.origin.w / weight;
   float curved = sqrt(2.0 * max(1.0 - length(around.normals) / weight, 0.0) * weight / max(around.squares, 1e-18));
@@ -64,11 +64,11 @@ struct Carried {
   vec4 origin;
 };
 
-// The exitance at a place, where the half-space has that one, by the clusters around: their weights
-// fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. Of opaque
-// bodies clusters have what is not known at the place, and none of what is; of painted ones what is below
-// the paint. The
-// invocations of a subgroup go in step; those with nothing to do have noNode as root.
+// The exitance at a place, given that of the half-space, from the clusters around. Their weights fall to
+// 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, never up. Clusters of opaque
+// bodies hold only light that is not known at the place, which is added to what is; those of painted
+// bodies hold the light below the paint. The invocations of a subgroup go in step; those with nothing to
+// do have noNode as root.
 Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
                   bool opaque, bool painted, uint root, uint end) {
   vec3 exitance = vec3(0.0);
@@ -94,7 +94,7 @@ Carried corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium
         float edge = edgeOfDisc(normalRadius.w);
         float weight = weightOfCluster(squared, reach, edge, dot(normal, normalRadius.xyz));
         all += weight;
-        weight *= texelOf(clusters, texelOfCluster(i, 6u)).w;  // 0 without inside
+        weight *= texelOf(clusters, texelOfCluster(i, 6u)).w;  // 0 in an open body
         exitance += weight * exitanceOfCluster(i, painted, weight);
         mean += weight * texelOf(means, int(i)).rgb;
         edges += weight * edge;

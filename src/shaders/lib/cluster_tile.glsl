@@ -1,4 +1,4 @@
-// A tile of clusters, for what acts on all of them: a work group has a tile, and its invocations share
+// A tile of clusters, for what acts on all of them. A work group has a tile, and its invocations share
 // the nodes of the tree of clusters among them. Needs, before it, BINDING_OBJECTS, BINDING_MEDIA, and
 // BINDING_TILES, the first of two bindings.
 #ifndef OPALINE_LIB_CLUSTER_TILE
@@ -18,13 +18,14 @@ ClusterTile tile;
 ObjectData body;
 BoundaryMedium medium;
 float leastSigma;
-vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Where the tile has fewer, the last again
+vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Past the tile's end, its last cluster
+                                  // again
 
-// Of the body's nodes, those that this invocation looks at in a walk.
+// The part of the body's nodes that this invocation looks at in a walk.
 uint sliceBegin;
 uint sliceEnd;
 
-// False where there is no such tile, for all of the work group.
+// Returns false, for all of the work group, where there is no such tile.
 bool enterTile(uint tileCount) {
   tileIndex = groupIndex();
   if (tileIndex >= tileCount) return false;

@@ -1,11 +1,11 @@
-// The nodes that act on a tile of clusters: those which are far from all of them, and leaves. Needs,
-// before it, BINDING_CLUSTER_NODES and what lib/cluster_tile.glsl needs.
+// The nodes that act on a tile of clusters: leaves, and nodes that are far from all of its clusters.
+// Needs, before it, BINDING_CLUSTER_NODES and what lib/cluster_tile.glsl needs.
 #ifndef OPALINE_LIB_CLUSTER_WALK
 #define OPALINE_LIB_CLUSTER_WALK
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_tile.glsl"
 
-// Of this invocation's slice, the next node from `at` on that acts on the tile, or noNode.
+// The next node of this invocation's slice, from `at` on, that acts on the tile, or noNode.
 uint nextOnWalk(inout uint at, float openingAngle) {
   uint found = noNode;
   while (found == noNode && at < sliceEnd) {

@@ -7,7 +7,7 @@ vec3 ofBothSides(SeenMaterial material, vec3 irradiance, vec3 behind) {
   return material.diffuse.rgb * irradiance + material.through.rgb * behind;
 }
 
-// Of irradiances at vertices, where those of the backs of sheets follow the others.
+// From irradiances at vertices, where those of the backs of sheets follow the others.
 vec3 diffuseExitanceOfVertices(MeshPlace place, SeenMaterial material, uint vertexCount) {
   if (!hasBack(objects[place.object])) return material.diffuse.rgb * meshExitanceAt(place, 0u).rgb;
   vec3 front = meshExitanceAt(place, 0u).rgb;

@@ -1,20 +1,21 @@
-// How much more easily light leaves a body in some place than A of a plane says, by which it is divided there.
+// How much more easily light leaves a body in some place than A of a plane says. A is divided by this there.
 #ifndef OPALINE_LIB_ESCAPE
 #define OPALINE_LIB_ESCAPE
 #include "lib/boundary.glsl"
 
-// Near the surface of what absorbs, diffusion from second collisions on has too much light. What leaves a
-// half-space says how much: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and η up
-// to 1.5.
+// Near the surface of what absorbs, diffusion from second collisions on has too much light. How much is known
+// from what leaves a half-space: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and
+// η up to 1.5.
 vec3 excessOfDiffusion(BoundaryMedium medium) {
   vec3 dark = 1.0 - medium.albedo.rgb;
   float a = medium.diffusion.w;
   return (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
 }
 
-// On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. So it is
-// less by that excess with this times 1/A. In clusters of some free paths as well, though light is not followed to
-// second collisions there: else those side by side would differ. Much larger ones lack about as much light.
+// On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. This
+// factor of 1/A lessens that by the excess. It also holds for clusters of some free paths, though light is not
+// followed to second collisions there: else clusters side by side would differ. Much larger ones lack about as
+// much light.
 vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
   vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);
@@ -23,7 +24,7 @@ vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
 }
 
 // Where the surface is convex, light on its way out spreads and goes more nearly along the normal, and less of it
-// is mirrored back. In balls and around hollows by Monte Carlo it is between nothing and twice this, for light that
+// is mirrored back. Monte Carlo in balls and around hollows gives between nothing and twice this, for light that
 // starts near the surface and for light from everywhere.
 vec3 escapeByCurvature(BoundaryMedium medium, float curvature) {
   vec3 bend = 2.0 * medium.diffusion.rgb * curvature / medium.diffusion.w;
@@ -31,14 +32,14 @@ vec3 escapeByCurvature(BoundaryMedium medium, float curvature) {
 }
 
 // In thin parts much light goes along the part, mirrored back and forth, as far as both sides are parallel. In slabs
-// by Monte Carlo, as thin as a sixth of a free path, what leaves on either side is then within 5 %, for albedos down
+// as thin as a sixth of a free path, what leaves on either side is then within 5 % of Monte Carlo, for albedos down
 // to 0.65.
 vec3 escapeByThickness(BoundaryMedium medium, float thicknessMm, float parallel) {
   const float thinnest = 0.2;  // free paths
   return 1.0 - parallel * exp(-1.3 * max(thicknessMm * medium.extinction.rgb, thinnest));
 }
 
-// `ofThickness`: the last, over the cluster.
+// `ofThickness` is the last factor, over the cluster.
 vec3 escapeOf(BoundaryMedium medium, float edgeMm, float curvature, vec3 ofThickness) {
   return escapeOfPlane(medium, edgeMm) * escapeByCurvature(medium, curvature) * ofThickness;
 }

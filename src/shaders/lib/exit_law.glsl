@@ -9,8 +9,8 @@
 const float thinnest = 0.25f;
 const float thickest = 60.0f;
 
-// Sources along a ray from the surface, z mean free paths below it, down to the other surface: of light that has
-// entered here, e^{-sz}; of light that comes through the body, 1 + qz.
+// Sources along a ray from the surface, z mean free paths below it, down to the other surface: e^{-sz} for light
+// that has entered here, 1 + qz for light that comes through the body.
 struct SourcesBelow {
   vec3 thickness;  // T
   vec3 decay;      // s
@@ -34,7 +34,7 @@ SourcesBelow sourcesBelow(BoundaryMedium medium, float overThickness) {
   return sources;
 }
 
-// What a ray of that cosine gathers; the other surface mirrors a part of it.
+// What a ray of that cosine gathers. The other surface mirrors a part of it.
 RadianceBelow gathered(SourcesBelow sources, float cosine, float mirrored) {
   vec3 left = exp(-sources.thickness / cosine);
   vec3 rounds = 1.0f / (1.0f - mirrored * left);
@@ -45,8 +45,8 @@ RadianceBelow gathered(SourcesBelow sources, float cosine, float mirrored) {
   return below;
 }
 
-// Over what leaves evenly; its mean over all directions, each by how much leaves there evenly, is 1. `cosine` is that
-// of the view.
+// What leaves towards `cosine`, that of the view, over what leaves evenly. Its mean over all directions, each
+// weighted by how much leaves there evenly, is 1.
 vec3 exitLaw(MediumData medium, float cosine, vec4 origin) {
   if (!isKnown(origin)) return vec3(1.0f);
   float eta = medium.boundary.x;

@@ -1,4 +1,4 @@
-// The fluence that a cluster's points of light would give the clusters of a tile in a medium without end, times
+// The fluence that a cluster's points of light would give the clusters of a tile in an infinite medium, times
 // 4πD.
 #ifndef OPALINE_LIB_FLUENCE_POINTS
 #define OPALINE_LIB_FLUENCE_POINTS
@@ -21,7 +21,7 @@ struct Sender {
   float areaMm2;  // of the disc that the light entered through
 };
 
-// With light of that power.
+// Its points, for light of that power.
 Sender senderOf(uint cluster, vec3 power) {
   uint beam = beamOf(cluster);
   uvec2 counts = unpackPointCounts(strengthOf(beam).w);
@@ -43,8 +43,8 @@ vec3 powerOf(Sender from, uint p, BeamPoint point) {
 
 const uint termsOfExpansion = 11u;
 
-// Light from where the tile is small, expanded about its middle to second order. Of each channel: 1;
-// x, y, z; xx + yy + zz; xx, yy, zz; xy, xz, yz.
+// Light from where the tile looks small, expanded about its middle to second order. The terms of
+// each channel: 1; x, y, z; xx + yy + zz; xx, yy, zz; xy, xz, yz.
 vec3 expansion[termsOfExpansion];
 
 void expand(BeamPoint point, vec3 power, float smoothing, vec3 middle) {
@@ -80,7 +80,7 @@ vec3 expandedAt(vec3 d) {
          d.x * d.z * expansion[9] + d.y * d.z * expansion[10];
 }
 
-// Of the tile's clusters, not to the one that is `without`.
+// Adds to all clusters of the tile but the one that is `without`.
 void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
     vec3 squared = squaredDistances(point, targets[t].xyz);
@@ -89,9 +89,9 @@ void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
   }
 }
 
-// How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G of the
-// kernel G, with their mean squares Q. Of that σ² tr Q/6 is as all directions are alike, but for what
-// the power has of it; the rest is ½ (r̂ᵀQr̂ - tr Q/3) (σ² + 3σ/r + 3/r²).
+// How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G for the
+// kernel G and their mean squares Q. The part of it that is alike in all directions is σ² tr Q/6,
+// less what the power includes; the rest is ½ (r̂ᵀQr̂ - tr Q/3) (σ² + 3σ/r + 3/r²).
 vec3 withSpread(BeamNode node, vec3 place) {
   vec3 sigma = way.sigma;
   mat3 square = mat3(node.square.x, node.across.xy, node.across.x, node.square.y, node.across.z,

@@ -1,11 +1,11 @@
-// Where each invocation of a work group puts what it has into a list: after what those before it
-// have.
+// Where each invocation of a work group puts its entries in a list: after those of the invocations
+// before it.
 #ifndef OPALINE_LIB_GROUP_PLACE
 #define OPALINE_LIB_GROUP_PLACE
 
 shared uint countOfSubgroup[64];
 
-// Every invocation of the group calls it; `all` is the sum. Sums may be of halves of a word.
+// Every invocation of the group calls it; `all` is the sum. Counts may be halves of a word.
 uint groupPlaceFor(uint count, out uint all) {
   uint before = subgroupExclusiveAdd(count);
   uint ours = subgroupAdd(count);

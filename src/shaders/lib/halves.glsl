@@ -2,7 +2,7 @@
 #ifndef OPALINE_LIB_HALVES
 #define OPALINE_LIB_HALVES
 
-// With seven bits after the first: a coefficient is right within 0.4 %.
+// Seven bits after the first keep a coefficient right within 0.4 %.
 float packed(float low, float high) {
   uvec2 rounded = floatBitsToUint(vec2(low, high)) + 0x8000u;
   return uintBitsToFloat(rounded.x >> 16u | (rounded.y & 0xffff0000u));

@@ -7,7 +7,7 @@
 #include "lib/sky.glsl"
 #include "lib/unit.glsl"
 
-// Of all lights.
+// From lights with shadow maps.
 vec3 lightsIrradiance(vec3 position, vec3 normal, vec3 outside, MediumData medium) {
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
@@ -25,7 +25,7 @@ vec3 outsideOf(vec3 facet, vec3 normal) {
 }
 
 #ifdef BINDING_SKY_IRRADIANCE
-// Of all.
+// From these and the sky.
 vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
   vec3 outside = outsideOf(facet, normal);
   return skyIrradianceAt(normal, medium) + lightsIrradiance(position, normal, outside, medium);

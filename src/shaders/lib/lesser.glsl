@@ -1,5 +1,5 @@
-// Of numbers none of which is NaN. min() and max() return the other one if one is, which takes Mesa's
-// software device three instructions instead of one.
+// Minima and maxima of numbers none of which is NaN. min() and max() return the other number for a
+// NaN, which takes Mesa's software device three instructions instead of one.
 #ifndef OPALINE_LIB_LESSER
 #define OPALINE_LIB_LESSER
 

@@ -4,7 +4,7 @@
 #include "lib/fresnel.glsl"
 #include "shared/medium.h"
 
-// Of one light at one place, wherever nothing is between.
+// One light at one place, if nothing is in between.
 struct IncidentLight {
   uint light;  // its index
   uint kind;
@@ -12,14 +12,14 @@ struct IncidentLight {
   vec3 irradiance;  // of a surface that faces it
 };
 
-// How many with a shadow map shine at a place: all, but none infinitely far away. Where uniforms alone tell
-// a loop's end, Mesa's software device (22.3) compiles the shader anew for every dispatch, and keeps all of
-// them.
+// How many lights with a shadow map shine at a place: all, but none at infinity. Where uniforms alone say
+// when a loop ends, Mesa's software device (22.3) compiles the shader anew for every dispatch and keeps
+// every version.
 uint lightsAt(vec3 position) {
   return isinf(position.x) ? 0u : frame.counts.x;
 }
 
-// The same with area lights (lib/area_light.glsl), which come last.
+// The same, including area lights (lib/area_light.glsl), which come last.
 uint allLightsAt(vec3 position) {
   return isinf(position.x) ? 0u : frame.counts.w;
 }
@@ -41,7 +41,7 @@ IncidentLight incidentLight(uint index, vec3 position) {
 }
 
 // The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of
-// the surface as it is drawn: what of it faces away from a light is in its own shadow, wherever
+// the surface as it is drawn. What faces away from a light by that is in its own shadow, wherever
 // `normal` looks.
 float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData medium) {
   float cosine = dot(normal, light.direction);
@@ -49,8 +49,8 @@ float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData me
   return cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
 }
 
-// Whether a light of that kind has a shadow map of parallel rays. Else it has the six views of a cube
-// around it, or one along the axis of its cone.
+// Whether a light of that kind has a shadow map of parallel rays. Otherwise it has the six views of a
+// cube around it, or one along the axis of its cone.
 bool isParallel(uint kind) {
   return kind == directionalLight;
 }

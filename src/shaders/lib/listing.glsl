@@ -1,7 +1,8 @@
-// Adds to the lists of shared/seen.h. Work groups come in any order, but each adds whole subgroups, the last of them filled
-// up, so that the neighbours in a subgroup that goes over the list are always the same: a device's filter of cubes may round
-// otherwise where a neighbour is at a corner. A work group lists what 64 entries want, in rounds if it is smaller. Needs,
-// before it, BINDING_SURFACES, the first of two bindings, and the size of a work group.
+// Adds to the lists of shared/seen.h. Work groups come in any order, but each adds whole subgroups, the last of them
+// filled up. The neighbours in a subgroup that goes over the list are then always the same, which matters because a
+// device's filter of cubes may round differently where a neighbour is at a corner. A work group lists what 64 entries
+// want, in rounds if it is smaller. Needs, before it, BINDING_SURFACES, the first of two bindings, and the size of a
+// work group.
 #ifndef OPALINE_LIB_LISTING
 #define OPALINE_LIB_LISTING
 #include "lib/group_place.glsl"
@@ -17,7 +18,7 @@ void dispatchAtLeast(uint which, uint entries) {
   atomicMax(surfaceCounts[which].groupsEntries.z, 1u);
 }
 
-// The first of so many entries.
+// Takes that many entries; returns the first.
 uint takePlaces(uint all) {
   uint start = atomicAdd(surfaceCounts[0].groupsEntries.w, all);
   uint last = start + all - 1u;
@@ -32,17 +33,17 @@ shared uint startOfGroup;
 
 const uint mostRounds = groupSize / 8u;
 
-// A work group that needs several is one subgroup (gpu::WorkGroups).
+// A work group that needs several rounds is one subgroup (gpu::WorkGroups).
 uint roundsOfListing() {
   return groupSize / gl_WorkGroupSize.x;
 }
 
-// Of the 64, the one of an invocation in a round.
+// Which of the 64 an invocation has in a round.
 uint placeInRounds(uint round) {
   return round * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
 }
 
-// For all of the work group, by one of it: the first of so many entries.
+// The first of that many entries, which one invocation takes for the whole work group.
 uint takePlacesTogether(uint all) {
   if (roundsOfListing() > 1u) return subgroupMax(subgroupElect() ? takePlaces(all) : 0u);
   if (gl_LocalInvocationIndex == 0u) startOfGroup = takePlaces(all);
@@ -56,8 +57,8 @@ uint placeInRound(uint wanted, out uint all) {
   return subgroupExclusiveAdd(wanted);
 }
 
-// Of a work group, all at once and in order, so that neighbours stay together: of how many entries an invocation wants
-// in each round, it makes the first.
+// Takes places for a work group all at once and in order, so that neighbours stay together. Replaces how many entries
+// an invocation wants in each round by the first of them.
 void placesForSurfaces(inout uint places[mostRounds]) {
   uint all = 0u;
   for (uint round = 0u; round < roundsOfListing(); ++round) {

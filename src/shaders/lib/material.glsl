@@ -1,4 +1,4 @@
-// What bodies are made of, and the only way to it. Needs, before it, BINDING_OBJECTS and
+// What bodies are made of, and the only access to it. Needs, before it, BINDING_OBJECTS and
 // BINDING_MEDIA.
 #ifndef OPALINE_LIB_MATERIAL
 #define OPALINE_LIB_MATERIAL
@@ -7,12 +7,12 @@
 
 layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
 
-// The medium at a place of a body's surface, mm. A body is of one medium all over.
+// The medium at a place of a body's surface, mm. A body has one medium all over.
 MediumData mediumAt(ObjectData body, vec3 place) {
   return media[body.table.x];
 }
 
-// Whether its surface has a roughness or normals of its own, of material tables.y.
+// Whether its surface has a roughness or normals of its own, from material tables.y.
 bool hasOwnSurface(MediumData medium) {
   return medium.surface.x != 0u;
 }

@@ -16,7 +16,7 @@ struct MeshPlace {
   uint object;
   vec3 position;  // mm
   vec3 normal;    // unit, interpolated, towards the side that is seen
-  float side;     // -1 where that is the inside, else 1
+  float side;     // -1 where that side is the inside, else 1
   vec3 facet;     // unit, at right angles to the triangle, towards the camera
 };
 
@@ -32,8 +32,9 @@ float cross2(vec2 a, vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// Of the triangle's corners where a line of sight meets its plane (Olano and Greer 1997). `clip` is
-// that of the line, over w. Relative to it, nothing that is subtracted is large.
+// Weights of the triangle's corners where a line of sight meets its plane (Olano and Greer 1997).
+// `clip` is the line's place in clip space, over w. Relative to it, nothing that is subtracted is
+// large.
 vec3 weightsOn(uvec3 vertices, vec2 clip) {
   vec2 off[3];
   for (int i = 0; i < 3; ++i) {
@@ -45,8 +46,8 @@ vec3 weightsOn(uvec3 vertices, vec2 clip) {
   return sum != 0.0 ? areas / sum : vec3(1.0 / 3.0);
 }
 
-// How far outside the triangle it lets the plane go on: a line may miss the triangle by part of a
-// pixel, which is far for one that is seen edge on.
+// How far beyond the triangle its plane may go on. A line may miss the triangle by part of a pixel,
+// which is far for one that is seen edge on.
 const float furthestOutside = 0.5;
 
 vec3 weightsNear(uvec3 vertices, vec2 clip) {
@@ -54,7 +55,7 @@ vec3 weightsNear(uvec3 vertices, vec2 clip) {
   return weights / (weights.x + weights.y + weights.z);
 }
 
-// Interpolated, to the side to which those of the vertices are.
+// The interpolated normal, on the side of those of the vertices.
 vec3 normalOn(uvec3 vertices, vec3 weights) {
   return unitOr(mat3(normalOf(vertices.x).xyz, normalOf(vertices.y).xyz, normalOf(vertices.z).xyz) *
                     weights, vec3(0.0, 1.0, 0.0));
@@ -79,8 +80,9 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
   return place;
 }
 
-// The place on the smooth surface that the normals of the corners are of: lifted out of the triangle, so
-// that what these normals turn to a light is not in the triangle's own shadow (Hanika 2021).
+// The place on the smooth surface to which the normals of the corners belong. It is lifted out of the
+// triangle, so that what these normals turn to a light is not in the triangle's own shadow (Hanika
+// 2021).
 vec3 liftedPlace(MeshPlace place) {
   vec3 lifted = place.position;
   for (int i = 0; i < 3; ++i) {
@@ -102,7 +104,7 @@ MeshPlace otherSideOf(MeshPlace place) {
 #ifdef BINDING_MESH_EXITANCES
 TEXELS(BINDING_MESH_EXITANCES, meshExitances);
 
-// Of vertices whose light begins there.
+// The light of vertices, which begins at `first`.
 vec4 meshExitanceAt(MeshPlace place, uint first) {
   return place.weights.x * texelOf(meshExitances, int(first + place.vertices.x)) +
          place.weights.y * texelOf(meshExitances, int(first + place.vertices.y)) +
@@ -119,7 +121,7 @@ vec4 meshExitanceAt(MeshPlace place) {
 
 TEXELS(BINDING_MESH_ORIGINS, meshOrigins);
 
-// Of the light that leaves there.
+// Origins of the light that leaves there.
 vec4 meshOriginAt(MeshPlace place) {
   return place.weights.x * texelOf(meshOrigins, int(place.vertices.x)) +
          place.weights.y * texelOf(meshOrigins, int(place.vertices.y)) +

@@ -1,5 +1,5 @@
-// First moments of vector areas, Σ A ⊗ δ about a place: six numbers, as what they stand in is the
-// same for A ⊗ δ and δ ⊗ A.
+// First moments of vector areas, Σ A ⊗ δ about a place. Six numbers are enough, because A ⊗ δ and δ
+// ⊗ A give the same wherever they are used.
 #ifndef OPALINE_LIB_MOMENT
 #define OPALINE_LIB_MOMENT
 

@@ -37,7 +37,7 @@ Derivatives dipoleDerivatives(Profile p, vec3 squaredMm2) {
   return sum;
 }
 
-// Eq. by d'Eon 2012 as in betterDipoleProfile: flux terms as above, fluence one step before.
+// d'Eon 2012 as in betterDipoleProfile: flux terms are as above, fluence is one step before them.
 Derivatives betterDipoleDerivatives(Profile p, vec3 squaredMm2) {
   Derivatives sum = dipoleDerivatives(p, squaredMm2);
   sum.value = betterDipoleProfile(p, squaredMm2);

@@ -14,26 +14,26 @@ layout(std430, set = 0, binding = BINDING_SURFEL_NORMALS) readonly buffer Surfel
   vec4 surfelNormals[];
 };
 
-// Of the sky's irradiance, what enters each surfel.
+// The share of the sky's irradiance that enters each surfel.
 layout(std430, set = 0, binding = BINDING_SKY_SHARES) readonly buffer SkyShares { vec4 skyShares[]; };
 
 layout(constant_id = 1) const uint withPaint = 0u;
 
-// Of light on each surfel, what its paint lets through.
+// The share of light on each surfel that its paint lets through.
 layout(std430, set = 0, binding = BINDING_THROUGH_PAINT) readonly buffer ThroughPaint { vec4 throughPaint[]; };
 
-// Cosine of the normals below which a surfel is taken for the other side of a thin part.
+// A surfel whose normal has a cosine below this is taken for the other side of a thin part.
 const float otherSide = -0.3;
 
-// Part of a disc's area that must be there to take it for a whole one: surfels count by their
-// middles. What is less lies at a border.
+// Part of a disc's area that must be there for it to count as whole, since surfels count by their
+// middles. A smaller part lies at a border.
 const float wholeDisc = 0.85;
 
-// Sources on the other side of a part are smooth for one another where it is thicker than this many
-// of their spacings.
+// Sources on the other side of a part look smooth where it is thicker than this many of their
+// spacings.
 const float smoothThickness = 1.5;
 
-// Of sources that lie in another plane, on the other side of a thin part, as much comes through as would of endlessly
+// The profile of sources in another plane, on the other side of a thin part. As much comes through as from infinitely
 // many.
 vec3 profileThrough(Profile profile, float squared, float across, float reach) {
   float least = smoothThickness / reachInSpacings * reach;
@@ -46,16 +46,16 @@ vec3 profileThrough(Profile profile, float squared, float across, float reach) {
 }
 
 struct Neighbours {
-  vec4 sum;       // of the smoothed profile; evaluations
-  vec3 even;      // of this side, in unit irradiance, by nearbyWeight
-  float present;  // part of the plane around that there is, by nearbyWeight
+  vec4 sum;       // of the smoothed profile; w: evaluations
+  vec3 even;      // from this side, in unit irradiance, by nearbyWeight
+  float present;  // part of the plane around that exists, by nearbyWeight
   vec3 sky;       // share of its irradiance that enters there, by nearbyWeight
   vec3 gathered;  // mean irradiance of this side, by nearbyWeight
   vec3 through;   // part of the light there that paint lets through, by nearbyWeight
 };
 
-// The sources of the next leaf from `node` on that has any within the reach, or none. The walk stops for a leaf: a
-// device that does both sides of every branch would go through sources at each node.
+// The sources of the next leaf from `node` on that has any within the reach, or none. The walk stops for a leaf,
+// because a device that executes both sides of every branch would go through sources at each node.
 struct Opened {
   uint first;
   uint end;
@@ -81,7 +81,7 @@ bool isOnSide(uint source, vec3 normal) {
   return dot(surfelNormals[source / sourcesPerSurfel].xyz, normal) >= otherSide;
 }
 
-// Sums those on the other side of a thin part. Few places have any.
+// Sums sources on the other side of a thin part. Few places have any.
 vec4 sumThrough(vec3 position, vec3 normal, ObjectData body, bool any) {
   Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
@@ -138,18 +138,19 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
 
 const uint placesOfRing = 6u;
 
-// So far off the tangent plane, over the distance, that no curved surface casts its own shadow.
+// Places of a ring lie so far off the tangent plane, over their distance, that no curved surface
+// casts its own shadow.
 const float ringLift = 0.1;
 
-// By which light falls on the disc and the rings around a place.
+// Normals by which light falls on the disc and the rings around a place.
 struct LitNormals {
   vec3 disc;
   vec3 inner;
   vec3 outer;
 };
 
-// Mean irradiance by lights on a ring around a place, with the first of its places turned by some
-// of their angles. `lit` is the normal that it falls on.
+// Mean irradiance by lights on a ring around a place. Its first place is turned by `turned` of the
+// angle between them; light falls on the normal `lit`.
 vec3 ringIrradiance(vec3 position, vec3 normal, vec3 lit, float radius, float turned, MediumData medium) {
   vec3 along = normalize(abs(normal.x) < 0.7 ? vec3(0.0, normal.z, -normal.y)
                                              : vec3(-normal.z, 0.0, normal.x));
@@ -164,7 +165,7 @@ vec3 ringIrradiance(vec3 position, vec3 normal, vec3 lit, float radius, float tu
   return sum / float(placesOfRing);
 }
 
-// The exitance by what lies within the reach, and evaluations of the profile.
+// The exitance by what lies within the reach; w: evaluations of the profile.
 vec4 nearbyExitance(vec3 position, vec3 normal, LitNormals lit, ObjectData body) {
   MediumData medium = mediumAt(body, position);
   float reach = body.darkest.w;
@@ -176,17 +177,17 @@ vec4 nearbyExitance(vec3 position, vec3 normal, LitNormals lit, ObjectData body)
   inner *= found.through;
   outer *= found.through;
   vec3 ambient = found.through * found.sky * skyIrradianceAt(normal, medium);
-  // What the sky gives the disc over what it gives the whole.
+  // What the sky gives the disc beyond what it gives the whole.
   vec3 more = vec3(0.0);
   if (lit.disc != normal)
     more = found.through * found.sky * (skyIrradianceAt(lit.disc, medium) - skyIrradianceAt(normal, medium));
-  // Of area lights, what neighbours have gathered is known.
+  // The light of area lights is known from what neighbours have gathered.
   if (frame.counts.w > firstAreaLight())
     ambient += max(found.gathered - ambient - (here + inner + outer) / 3.0, 0.0);
   vec3 lacking = body.nearbyDisc.rgb * (ambient + more + here) +
                  found.present * (body.nearbyInner.rgb * (ambient + inner) +
                                   body.nearbyOuter.rgb * (ambient + outer));
-  // Sources lie irregularly, which in even light must not show.
+  // Sources lie irregularly, which must not show in even light.
   vec3 uneven = found.present * body.nearbyKept.rgb - found.even;
   lacking += uneven * (ambient + (here + inner + outer) / 3.0);
   return vec4(max(found.sum.rgb + lacking, 0.0), found.sum.a);

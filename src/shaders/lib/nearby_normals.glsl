@@ -1,5 +1,5 @@
-// Normals by which light falls on the surface around a place that a pixel sees, as a texture tells them: means over the
-// disc and the rings of lib/nearby.glsl. Needs what lib/nearby.glsl and lib/seen_material.glsl need.
+// Normals by which light falls on the surface around a place that a pixel sees, where a texture gives them: means over
+// the disc and the rings of lib/nearby.glsl. Needs what lib/nearby.glsl and lib/seen_material.glsl need.
 #ifndef OPALINE_LIB_NEARBY_NORMALS
 #define OPALINE_LIB_NEARBY_NORMALS
 #include "lib/nearby.glsl"
@@ -12,7 +12,7 @@ float sizeOf(MaterialPlace read, OpaqueData material) {
   return max(length(place.right), length(place.down));
 }
 
-// Over a disc of that radius, mm, around it in the plane of its triangle.
+// Reads over a disc of that radius, mm, around the place in the plane of its triangle.
 MaterialPlace materialPlaceAround(MeshPlace place, float radius) {
   vec3 first = positionOf(place.vertices.x);
   vec3 toSecond = positionOf(place.vertices.y) - first;

@@ -1,5 +1,5 @@
 // What neighbouring pixels of a band have found of their first surfaces. Needs, before it, lib/seen.glsl, and after
-// that the first row of the band and how many it has, as `firstRow` and `rows`.
+// that the band's first row and number of rows, as `firstRow` and `rows`.
 #ifndef OPALINE_LIB_NEIGHBOURS
 #define OPALINE_LIB_NEIGHBOURS
 
@@ -15,7 +15,7 @@ bool isInBand(ivec2 pixel) {
   return all(greaterThanEqual(pixel, ivec2(0, firstRow))) && all(lessThan(pixel, endOfBand()));
 }
 
-// So many pixels across around one, inside the band.
+// The first of so many pixels across around one, inside the band.
 ivec2 windowAround(ivec2 pixel, int width) {
   return max(min(pixel - width / 2, endOfBand() - width), ivec2(0, firstRow));
 }
@@ -24,7 +24,8 @@ ivec2 pixelOfWindow(ivec2 window, uint i, int width) {
   return window + ivec2(int(i) % width, int(i) / width);
 }
 
-// Cosine of normals, and sine of the angle by which the way between may leave the surface, within which pixels see one.
+// Pixels see one surface where the cosine of their normals is at least this, and the sine of the angle by which the way
+// between them leaves the surface is at most that.
 const float leastCosine = 0.9;
 const float mostOffPlane = 0.3;
 

@@ -9,7 +9,7 @@ layout(std430, set = 0, binding = BINDING_OPAQUES) readonly buffer Opaques { Opa
 layout(std430, set = 0, binding = BINDING_OPAQUES + 1) readonly buffer Attributes { VertexAttributes attributes[]; };
 layout(std430, set = 0, binding = BINDING_OPAQUES + 2) readonly buffer Tangents { CornerTangents tangents[]; };
 
-// What a material reads of a mesh at one place.
+// What a material needs of a mesh at one place.
 struct MaterialPlace {
   TexturePlace first;  // by the first set of coordinates
   TexturePlace second;
@@ -21,7 +21,7 @@ MaterialPlace plainPlace() {
   return MaterialPlace(none, none, vec4(1.0));
 }
 
-// On a triangle, by the weights of its corners there and so far to the right and down.
+// On a triangle, by the weights of its corners there and their change to the right and down.
 MaterialPlace materialPlaceOn(uvec3 vertices, vec3 at, vec3 right, vec3 down) {
   VertexAttributes a = attributes[vertices.x];
   VertexAttributes b = attributes[vertices.y];
@@ -44,7 +44,7 @@ vec4 baseColorAt(OpaqueData material, MaterialPlace place) {
   return clamp(material.baseColor * place.color * textureAt(material.baseColorTexture, place, vec4(1.0)), 0.0, 1.0);
 }
 
-// Of the reflection, by what its texture tells.
+// α of the reflection, by what its texture says.
 float alphaOf(OpaqueData material, float told) {
   float roughness = clamp(material.surface.y * told, 0.02, 1.0);
   return roughness * roughness;
@@ -54,12 +54,12 @@ float alphaAt(OpaqueData material, MaterialPlace place) {
   return alphaOf(material, textureAt(material.metallicRoughnessTexture, place, vec4(1.0)).g);
 }
 
-// Of a surface whose normals differ within a pixel.
+// For a surface whose normals differ within a pixel.
 float widenedAlpha(float alpha, float widened) {
   return min(sqrt(alpha * alpha + widened), 1.0);
 }
 
-// In tangent space, the mean over the pixel.
+// The mean over the pixel, in tangent space.
 vec3 toldNormal(OpaqueData material, MaterialPlace place) {
   return textureAt(material.normalTexture, place, vec4(0.0, 0.0, 1.0, 0.0)).xyz;
 }
@@ -105,8 +105,8 @@ SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   return result;
 }
 
-// The normal that the texture tells, where the edges from the first corner of a triangle are these, and
-// what it leaves of the sharpness of the reflection (Toksvig 2005), as more of roughness⁴.
+// The normal that the texture gives, where these are the edges from the first corner of a triangle.
+// `widened` is how much less sharp the reflection becomes (Toksvig 2005), as more of roughness⁴.
 vec3 mappedNormal(OpaqueData material, MaterialPlace place, uint triangle, vec3 weights, vec3 toSecond,
                   vec3 toThird, vec3 normal, out float widened) {
   widened = 0.0;

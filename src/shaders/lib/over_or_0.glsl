@@ -1,4 +1,4 @@
-// Quotients that are 0 where nothing is divided by.
+// Quotients that are 0 where the divisor is.
 #ifndef OPALINE_LIB_OVER_OR_0
 #define OPALINE_LIB_OVER_OR_0
 

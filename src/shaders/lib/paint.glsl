@@ -3,8 +3,8 @@
 #define OPALINE_LIB_PAINT
 #include "shared/paint.h"
 
-// Diffuse light that a layer lets through, by which diffuse light has this mean cosine: of light with
-// another cosine. Both fall as e^{-a/μ}.
+// What a layer lets through of light of one cosine, given what it lets through of diffuse light of
+// that mean cosine. Both fall as e^{-a/μ}.
 vec3 throughLayer(vec3 ofDiffuse, float meanCosine, float cosine) {
   return pow(ofDiffuse, vec3(meanCosine / max(cosine, 0.05)));
 }

@@ -10,7 +10,7 @@ bool isPainted(MediumData medium) {
   return medium.tables.z != 0u;
 }
 
-// The layer by which a painted medium has that colour.
+// The layer that gives a painted medium that colour.
 PaintEntry paintOf(MediumData medium, vec3 color) {
   uint first = (medium.tables.z - 1u) * (paintEntries + 1u);
   vec3 bare = paintTables[first + paintEntries].thickness.rgb;

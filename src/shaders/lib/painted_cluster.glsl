@@ -19,15 +19,15 @@ layout(std430, set = 0, binding = BINDING_OPAQUE_SHARES) readonly buffer OpaqueS
 
 ClusterRange rangeOf(uint cluster);
 
-// At a lining A' is (1 + ρ) / (1 - ρ) of the share ρ of light that it gives back, evenly, and what diffusion
-// lacks on a plane: Milne's extrapolation is 0.7104 mean free paths, not 2/3.
+// At a lining A' is (1 + ρ) / (1 - ρ), for the share ρ of light that it gives back evenly, plus what
+// diffusion lacks on a plane: Milne's extrapolation is 0.7104 mean free paths, not 2/3.
 vec3 layerOfLining(uint cluster, uint object) {
   const float ofMilne = 0.0656;
   vec3 share = min(opaqueShares[cluster].share.rgb, vec3(1.0));
   return insideOf(objects[object]).diffusion.w * (1.0 - share) / (1.0 + share + ofMilne * (1.0 - share));
 }
 
-// A/A', by which its fluence is a stronger single layer.
+// A/A', by which the cluster's fluence is a stronger single layer.
 vec3 layerOf(uint cluster) {
   if (withLinings != 0u) {
     ClusterRange range = rangeOf(cluster);
@@ -37,7 +37,7 @@ vec3 layerOf(uint cluster) {
 }
 #endif
 
-// Where so much light has entered at the surface: the fluence at which as much leaves.
+// The fluence at which as much leaves as has entered at the surface.
 vec3 fluenceEntered(uint cluster, vec3 entered, float thicknessMm, BoundaryMedium medium) {
   if (!isPaintedCluster(cluster)) return fluenceAtSurface(entered, thicknessMm, medium);
   return clusterPaints[cluster].atSurface.rgb * shareAtSurface(thicknessMm, medium) * entered;

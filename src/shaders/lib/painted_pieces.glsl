@@ -8,7 +8,7 @@
 #include "lib/piece_material.glsl"
 
 
-// False, and nothing found, where none of them has an area.
+// Returns false, with nothing found, where none of them has an area.
 bool meanPaint(MediumData medium, uint first, uint end, out PaintEntry mean) {
   OpaqueData material = opaques[medium.tables.y];
   mean = PaintEntry(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));

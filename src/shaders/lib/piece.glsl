@@ -3,7 +3,7 @@
 #define OPALINE_LIB_PIECE
 #include "shared/surfels.h"
 
-// As its numbers are kept, see SurfelPiece.
+// Undoes how its numbers are kept, see SurfelPiece.
 SurfelPiece withoutSetBits(SurfelPiece piece) {
   piece.a &= ~setBit;
   piece.b &= ~setBit;
@@ -20,7 +20,7 @@ vec2 middleOf(mat3x2 corners) {
   return (corners[0] + corners[1] + corners[2]) / 3.0;
 }
 
-// The three points whose mean is that of any square over the piece (Strang and Fix 1973).
+// The three points whose mean is that of any quadratic over the piece (Strang and Fix 1973).
 vec2 pointOf(mat3x2 corners, uint i) {
   return 0.5 * (middleOf(corners) + corners[i]);
 }

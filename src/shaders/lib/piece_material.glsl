@@ -4,7 +4,7 @@
 #include "lib/opaque_material.glsl"
 #include "shared/surfels.h"
 
-// Seen as large as it is, so that the texture is its mean.
+// It is read over its own size, so that the texture gives its mean.
 MaterialPlace placeOfPiece(SurfelPiece piece, OpaqueData material) {
   if (material.rest.z == 0.0) return plainPlace();
   vec3 corner0 = vec3(1.0 - piece.v0 - piece.w0, piece.v0, piece.w0);

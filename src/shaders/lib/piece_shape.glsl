@@ -13,7 +13,7 @@ struct PieceShape {
   vec3 across;
 };
 
-// Of the cluster, ClusterRange::side.
+// ClusterRange::side of the cluster.
 float facing = 1.0;
 
 PieceShape shapeOf(SurfelPiece piece) {

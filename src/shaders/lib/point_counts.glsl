@@ -1,4 +1,5 @@
-// A beam's numbers of points of first and of second collisions, which come of which, and both in one float, exactly.
+// How many points of first and of second collisions a beam has, which of these come from which, and both numbers in
+// one float, exactly.
 #ifndef OPALINE_LIB_POINT_COUNTS
 #define OPALINE_LIB_POINT_COUNTS
 #include "shared/boundary.h"
@@ -10,7 +11,7 @@ struct Path {
   uint directions;
 };
 
-// Directions from each of the first segment's points but the last, and from that.
+// Directions from each of the first segment's points but the last, and from the last.
 uvec2 directionsOfSegment(bool comesFromEverywhere) {
   return comesFromEverywhere ? uvec2(directionsOfEvenPoint, directionsOfLastEvenPoint)
                              : uvec2(directionsOfPoint, directionsOfLastPoint);
@@ -25,7 +26,7 @@ Path pathTo(uint second, bool comesFromEverywhere) {
                                 : Path(pointsOfFirstSegment + further - directions.y, 0u, 1u);
 }
 
-// Of so many points of first collisions, how many of second ones come.
+// How many points of second collisions come from that many of first ones.
 uint secondPointsOf(uint first, bool comesFromEverywhere) {
   uvec2 directions = directionsOfSegment(comesFromEverywhere);
   return first == 0u ? 0u

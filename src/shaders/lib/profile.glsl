@@ -17,8 +17,8 @@ vec3 dipoleProfile(Profile p, vec3 radiusSquaredMm2) {
          p.weightVirtual * decayVirtual * (overVirtual * overVirtual) * (overVirtual + p.sigmaTr);
 }
 
-// 1 - e^{-x} to float accuracy relative to itself, x ≥ 0, with e^{-x} given: the Taylor series
-// where the subtraction would cancel.
+// 1 - e^{-x} to relative float accuracy, x ≥ 0, given e^{-x}: the Taylor series where the
+// subtraction would cancel.
 vec3 oneMinusExp(vec3 x, vec3 expMinusX) {
   vec3 series =
       x * (1.0f -
@@ -62,7 +62,7 @@ vec3 betterDipoleProfile(Profile p, vec3 radiusSquaredMm2) {
   return d.decayReal * (fluence + fluxReal + fluxVirtual);
 }
 
-// The integral of either over all of the plane outside a disc.
+// The integral of either profile over the plane outside a disc.
 vec3 profileOutside(Profile p, vec3 radiusSquaredMm2) {
   Dipole d = dipoleAt(p, radiusSquaredMm2);
   vec3 sigma = p.sigmaTr + 1e-12f;

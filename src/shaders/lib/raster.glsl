@@ -1,10 +1,10 @@
-// Triangles drawn by invocations: some GPUs have little hardware that draws. A work group draws 64 triangles at a time,
-// within some rows of the picture. Its invocations share the pixels that these may cover, so that large triangles and small
-// ones keep all of them busy.
+// Triangles drawn by invocations, because some GPUs have little hardware that draws. A work group draws 64 triangles at
+// a time, within some rows of the picture. Its invocations share the pixels that these may cover, so that large
+// triangles and small ones keep all of them busy.
 //
-// A sample is in a triangle where it is on the inner side of all edges, in homogeneous coordinates, so that nothing needs
-// to be clipped (Olano and Greer 1997). Triangles that share an edge have the same number for it with opposite signs, bit
-// by bit, and where that is 0 one of them has the sample: there are no holes.
+// A sample is in a triangle where it is on the inner side of all edges, in homogeneous coordinates, so that nothing
+// needs to be clipped (Olano and Greer 1997). Triangles that share an edge have the same number for it with opposite
+// signs, bit by bit. Where that is 0, one of them has the sample, so there are no holes.
 //
 // Has bindings 1 and 2. Needs, before it, subgroup arithmetic; after it, the places of a pixel's samples, in pixels from
 // its centre, and what to do with each sample at which a triangle may be seen:
@@ -67,7 +67,7 @@ bool isOutside(Corners its) {
   return any(before) || any(beyond);
 }
 
-// Where the triangle may be seen; everywhere if some of it lies behind the camera.
+// Where the triangle may be seen: everywhere if some of it lies behind the camera.
 PixelBox boxOf(Corners its, ivec2 size, int firstRow, int endRow) {
   PixelBox box = PixelBox(ivec2(0, firstRow), ivec2(size.x, endRow));
   if (isOutside(its)) return PixelBox(ivec2(0), ivec2(0));
@@ -88,14 +88,15 @@ int pixelsIn(PixelBox box) {
   return size.x * size.y;
 }
 
-// Of two triangles on either side of an edge with a sample on it, the one that lies to the right or below has it. `a` and
-// `b` are its ends as seen from the sample, times `w`; `turned` is the sign of the triangle's area.
+// Of two triangles that share an edge with a sample on it, the one to the right or below has the sample. `a` and `b`
+// are the ends of the edge as seen from the sample, times `w`; `turned` is the sign of the triangle's area.
 bool hasEdge(vec2 a, float wOfA, vec2 b, float wOfB, float turned) {
   precise vec2 along = turned * sign(wOfA * wOfB) * (b * wOfA - a * wOfB);
   return along.y < 0.0 || along.y == 0.0 && along.x > 0.0;
 }
 
-// Where the line of sight through that place, clip space over w, meets the triangle; 0 where it does not.
+// The depth at which the line of sight through that place, clip space over w, meets the triangle; 0 where
+// it misses.
 float depthAt(Corners its, vec2 place) {
   precise vec2 a = its.a.xy - its.a.w * place;
   precise vec2 b = its.b.xy - its.b.w * place;
@@ -115,13 +116,13 @@ float depthAt(Corners its, vec2 place) {
   return turned * w > 0.0 && depth > 0.0 && depth <= 1.0 ? depth : 0.0;
 }
 
-// Of the triangles that the group has at a time: their corners, where they may be seen, and how many pixels those before
-// them may cover.
+// For the triangles that the group has at a time: their corners, where they may be seen, and how many pixels those
+// before them may cover.
 shared Corners corners[gl_WorkGroupSize.x];
 shared PixelBox boxes[gl_WorkGroupSize.x];
 shared uint firsts[gl_WorkGroupSize.x];
 
-// The last triangle that begins at that pixel of all or before it.
+// The last triangle that begins at or before that one of all pixels.
 uint triangleOfPixel(uint pixel) {
   uint found = 0u;
   for (uint step = gl_WorkGroupSize.x / 2u; step > 0u; step /= 2u)

@@ -3,10 +3,10 @@
 #define OPALINE_LIB_RAY_BOX
 #include "shared/rays.h"
 
-// Smaller numbers are this: a device may make others of halves below it 0.
+// Smaller numbers become this, because a device may make halves below it 0.
 const float leastHalf = 1.0 / 16384.0;
 
-// The last half float that is not above a number, as bits.
+// The largest half float that is not above a number, as bits.
 uint halfBelow(float number) {
   if (abs(number) < leastHalf) number = -leastHalf;
   uint bits = packHalf2x16(vec2(number, 0.0)) & 0xffffu;

@@ -1,9 +1,9 @@
-// Rays by the boxes around pieces on the surfels' tree; a part of lib/rays.glsl.
+// Rays through the boxes around pieces on the surfels' tree; a part of lib/rays.glsl.
 //
-// A ray is seen along its direction: pieces and it are turned so that it is the z axis. A corner
-// that pieces share then lies at one place for all of them, and an edge between two pieces has the
-// ray on one side or the other (as in Woop, Benthin and Wald 2013); where pieces do not share
-// corners, or those only nearly, slack sees to it.
+// Pieces and ray are turned so that the ray is the z axis. A corner that pieces share then lies at
+// one place for all of them, and an edge between two pieces has the ray on one side or the other
+// (as in Woop, Benthin and Wald 2013). Where pieces do not share corners, or share them only
+// nearly, the slack makes up for it.
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
 #include "lib/axes.glsl"
@@ -15,12 +15,12 @@ struct Ray {
   vec3 boxOrigin;   // in the units of boxes
   vec3 inverse;     // of the direction, times that unit
   bvec3 backwards;  // where that is below 0
-  mat3 turn;        // its rows: two directions across, and that of which `distance` is in lengths
+  mat3 turn;        // its rows: two directions across, and the one in whose lengths `distance` is
   float reach;      // largest coordinate of the origin, mm
 };
 
-// Smaller components of a direction, 0 too, are this, so that none has no inverse. Boxes are wide
-// enough for it.
+// Smaller components of a direction, 0 included, become this, so that each has an inverse. Boxes
+// are wide enough for it.
 const float leastComponent = 1e-18;
 
 Ray makeRay(vec3 origin, vec3 direction) {
@@ -34,7 +34,7 @@ Ray makeRay(vec3 origin, vec3 direction) {
              transpose(mat3(across[0], across[1], direction / dot(direction, direction))), largestOf(places));
 }
 
-// Whether some of the box may lie between the ray's origin and `furthest`.
+// Whether part of the box may lie between the ray's origin and `furthest`.
 bool meetsBox(Ray ray, mat2x3 sides, float furthest) {
   vec3 enters = (mix(sides[0], sides[1], ray.backwards) - ray.boxOrigin) * ray.inverse;
   vec3 leaves = (mix(sides[1], sides[0], ray.backwards) - ray.boxOrigin) * ray.inverse;
@@ -44,13 +44,13 @@ bool meetsBox(Ray ray, mat2x3 sides, float furthest) {
   return enter <= leave && enter <= furthest;
 }
 
-// Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
+// Makes the piece the hit if the ray meets it beyond `minDistance` and nearer than the last one.
 void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   int at = 3 * int(piece);
   vec4 a4 = texelOf(pieceCorners, at);
   vec4 b4 = texelOf(pieceCorners, at + 1);
   vec4 c4 = texelOf(pieceCorners, at + 2);
-  // Whichever corner of a piece a place is, it has to become the same, bit by bit. Devices may
+  // A place must come out the same, bit by bit, whichever corner of a piece it is. Devices may
   // multiply a matrix in any order, even if the product is precise.
   precise vec3 a = a4.xyz - ray.origin;
   precise vec3 b = b4.xyz - ray.origin;
@@ -58,22 +58,22 @@ void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   a = ray.turn[0] * a.x + ray.turn[1] * a.y + ray.turn[2] * a.z;
   b = ray.turn[0] * b.x + ray.turn[1] * b.y + ray.turn[2] * b.z;
   c = ray.turn[0] * c.x + ray.turn[1] * c.y + ray.turn[2] * c.z;
-  // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
-  // rounding gives one of the wrong sign, as long as none is left out.
+  // Twice the areas of the ray with each edge, all of one sign where it passes between them.
+  // Rounding gives none the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float slack = b4.w * ray.reach + c4.w;
   float least = leastOf(areas);
   float most = largestOf(areas);
   if (least < -slack && most > slack) return;
-  // A mean of the corners' distances, whatever the piece is like.
+  // A mean of the corners' distances, whatever the piece's shape.
   vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
   float all = parts.x + parts.y + parts.z;
   float distance = (parts.x * a.z + parts.y * b.z + parts.z * c.z) / all;
   if (all > 0.0 && distance > minDistance && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
-// Goes to the next leaf that the ray meets, then through its pieces: neighbours, each on its own way,
-// so have more often the same to do.
+// Goes to the next leaf that the ray meets, then through its pieces. Neighbours, each on its own way,
+// have the same to do more often that way.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target, bool anyWillDo) {
   Ray ray = makeRay(origin, direction);

@@ -8,11 +8,12 @@ layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayHier
 
 uint firstPieceOf(uint object);
 
-// Rays for one object meet bodies of its class; where there are several in a class, triangles are
-// not opaque (see gpu::AccelerationStructure), and each is asked whose it is.
+// Rays for one object meet bodies of its class. Where a class has several, triangles are not opaque
+// (see gpu::AccelerationStructure), and each is asked whose it is.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target, bool anyWillDo) {
-  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query may not be so
+  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query needs this
+                                                                          // order
   bool one = target.object != everyObject;
   uint flags = (one ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT) |
                (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);

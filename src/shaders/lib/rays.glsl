@@ -17,8 +17,8 @@ struct RayHit {
   uint piece;      // or noPiece
 };
 
-// What a ray may meet: the pieces below some nodes of the surfels' tree, which are all objects' or
-// one's.
+// What a ray may meet: the pieces below some nodes of the surfels' tree, those of all objects or of
+// one.
 struct RayTarget {
   uint firstNode;
   uint endNode;
@@ -33,15 +33,15 @@ const uint everyObject = 0xffffffffu;
 #include "lib/ray_boxes.glsl"
 #endif
 
-// How far above a surface rays start, so that they do not meet it: coordinates are rounded.
+// How far above a surface rays start so as not to meet it, since coordinates are rounded.
 float startAbove(vec3 position) {
   vec3 places = abs(position);
   return 1e-5 * max(max(places.x, places.y), places.z);
 }
 
-// The nearest piece of the target that a ray meets further than `minDistance` and nearer than
-// `maxDistance`; distances in lengths of `direction`, which need not be 1. A ray that starts on a
-// piece meets it at about 0, to either side: a millionth of the coordinates, and more the flatter it
+// The nearest piece of the target that a ray meets beyond `minDistance` and before `maxDistance`.
+// Distances are in lengths of `direction`, which need not be 1. A ray that starts on a piece meets
+// it at about 0, on either side: within a millionth of the coordinates, and more the flatter it
 // leaves.
 RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target) {
@@ -54,7 +54,7 @@ bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance,
   return meetPieces(origin, direction, minDistance, maxDistance, target, true).piece != noPiece;
 }
 
-// Of a piece that was hit: unit, to the side from which its triangle's corners are seen
+// The unit normal of a piece that was hit, to the side from which its triangle's corners are seen
 // counter-clockwise.
 vec3 facetNormal(uint piece) {
   int at = 3 * int(piece);
@@ -67,8 +67,8 @@ uint objectOfPiece(uint piece) {
   return uint(texelOf(pieceCorners, 3 * int(piece)).w);
 }
 
-// The nearest place where a ray through the inside of a body comes out: folds of the surface that it
-// would have to enter by do not count. `side` is -1 where the body is mirrored.
+// The nearest place where a ray through the inside of a body comes out. Folds of the surface where
+// it would have to enter do not count. `side` is -1 where the body is mirrored.
 RayHit nearestExit(vec3 origin, vec3 direction, float side, float minDistance, float maxDistance,
                    RayTarget target) {
   const uint mostFolds = 4u;

@@ -5,10 +5,10 @@
 #include "lib/pi.glsl"
 #include "lib/unit.glsl"
 
-// Rays leave a facet by that sine at least: interpolated normals mirror some into it.
+// Rays leave a facet by this sine at least, because interpolated normals mirror some into it.
 const float leastSine = 0.02;
 
-// The i-th normal of `count` microfacets, as dense as GGX has them (Walter et al. 2007); the only one is
+// The i-th normal of `count` microfacets, distributed as in GGX (Walter et al. 2007). A single one is
 // the surface's. The last are turned most.
 vec3 microfacet(uint i, uint count, float alpha, vec3 normal, vec3 along) {
   if (count == 1u) return normal;

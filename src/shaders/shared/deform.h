@@ -31,7 +31,7 @@ struct RestVertex {
 
 /// What a morph target adds to one vertex at weight 1.
 struct MorphDelta {
-  uint weight;  // which of all weights
+  uint weight;  // index among all weights
   float x;
   float y;
   float z;
@@ -42,7 +42,7 @@ struct MorphDelta {
 
 /// One joint that pulls at a vertex.
 struct JointInfluence {
-  uint matrix;  // which of all matrices
+  uint matrix;  // index among all matrices
   float weight;
 };
 
@@ -52,15 +52,15 @@ struct TriangleEdge {
   uint last;
 };
 
-/// What is different for an object in this frame.
+/// An object's state in this frame.
 struct ObjectMotion {
   uint replaced;         // 1: its positions are given
   uint normalsFromMesh;  // 1: its normals are made from its triangles
-  float side;     // -1 where it is mirrored, unlike at rest, so that its triangles turn; else 1
-  uint isGround;  // 1: deformers leave it alone, and the box around all does not hold it
+  float side;     // -1 where it is mirrored relative to rest, which reverses its triangles; else 1
+  uint isGround;  // 1: deformers leave it alone, and the box around everything leaves it out
 };
 
-/// motion.h, DeformerKind.
+/// A deformer; see DeformerKind in motion.h.
 struct DeformerData {
   vec4 box;     // x: middle x; y: bottom; z: middle z; w: height H, mm
   vec4 amount;  // x: amount at this time; y: phase in periods; z: diagonal D, mm

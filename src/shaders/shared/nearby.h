@@ -1,8 +1,8 @@
 // Sums over sources that lie further apart than the profile is wide. Included by C++ and GLSL.
 //
-// Within a reach of so many spacings R the sum takes a profile f(s̃), s̃ ≥ s = r², that is as smooth
-// as the sources can follow; what it lacks, f(s) - f(s̃), is integrated beforehand, over a disc and
-// two rings around it, and multiplied by the irradiance found there (singularity subtraction).
+// Within a reach R of so many spacings the sum takes a smoother profile f(s̃), s̃ ≥ s = r², that
+// the sources can follow. What it lacks, f(s) - f(s̃), is integrated beforehand over a disc and two
+// rings around it, and multiplied by the irradiance found there (singularity subtraction).
 #ifndef OPALINE_SHARED_NEARBY_H
 #define OPALINE_SHARED_NEARBY_H
 
@@ -16,11 +16,11 @@ namespace opaline::shared {
 #define OPALINE_NEARBY_INLINE
 #endif
 
-/// The reach, in spacings of the sources: by 3 of them, sums over threes of sources (surfels.comp)
-/// are off by 0.7 % beside their corners, by 4 no more than 0.15 %.
+/// The reach, in spacings of the sources. With 3 spacings, sums over threes of sources
+/// (surfels.comp) are off by 0.7 % beside their corners; with 4, by no more than 0.15 %.
 OPALINE_NEARBY_NUMBER reachInSpacings = 4.0f;
 
-/// Borders of the disc and the rings in reaches, and where the irradiance of the rings is found.
+/// Borders of the disc and the rings, and where the irradiance of the rings is found, in reaches.
 OPALINE_NEARBY_NUMBER discInReaches = 0.125f;
 OPALINE_NEARBY_NUMBER innerRingInReaches = 0.375f;
 OPALINE_NEARBY_NUMBER innerRingAt = 0.23f;
@@ -35,8 +35,8 @@ OPALINE_NEARBY_INLINE float smoothedSquare(float squaredMm2, float squaredReachM
   return squaredMm2 + squaredReachMm2 / 3.0f * left * left * left;
 }
 
-/// Of places around, falling to 0 at the reach: what is counted by it does not change where one
-/// crosses its border. Over the plane it comes to πR²/3.
+/// The weight of a place around, which falls to 0 at the reach, so that sums by it do not jump
+/// where a place crosses the border. Its integral over the plane is πR²/3.
 OPALINE_NEARBY_INLINE float nearbyWeight(float squaredMm2, float squaredReachMm2) {
   float left = 1.0f - squaredMm2 / squaredReachMm2;
   return left * left;

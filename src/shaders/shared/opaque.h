@@ -15,10 +15,10 @@ using glm::vec4;
 
 /// Bits of TextureData::place.w: two for each direction's wrap, as in TextureWrap.
 OPALINE_OPAQUE_CONSTANT wrapVShift = 2u;
-OPALINE_OPAQUE_CONSTANT textureHasEdges = 16u;  // between its texels, seen large
+OPALINE_OPAQUE_CONSTANT textureHasEdges = 16u;  // sharp between its texels, when magnified
 OPALINE_OPAQUE_CONSTANT textureIsOnSecondSet = 32u;
 
-/// Of the largest texture there may be, 16384 pixels along an edge, with all its levels.
+/// Levels of the largest texture there may be, 16384 pixels along an edge.
 OPALINE_OPAQUE_CONSTANT mostTextureLevels = 15u;
 
 struct TextureData {
@@ -28,12 +28,12 @@ struct TextureData {
   vec4 rowV;
 };
 
-/// A material as material.h of the library has it.
+/// A material as the library's material.h has it.
 struct OpaqueData {
-  vec4 baseColor;      // rgb; w: alpha
-  vec4 emission;       // rgb; w: alpha cutoff
-  vec4 surface;        // metallic; roughness, or below 0 the picture's; F₀ of the index of
-                       // refraction; specular
+  vec4 baseColor;  // rgb; w: alpha
+  vec4 emission;   // rgb; w: alpha cutoff
+  vec4 surface;    // x: metallic; y: roughness, or below 0 the picture's; z: F₀ of the index of
+                   // refraction; w: specular
   vec4 specularColor;  // rgb; w: scale of the normal texture
   vec4 rest;           // x: occlusion strength; y: 1 where it is unlit; z: 1 where vertices have
                        // attributes
@@ -49,14 +49,14 @@ struct OpaqueData {
   TextureData throughColorTexture;
 };
 
-/// What textures and colours read of a vertex.
+/// What textures and colours need of a vertex.
 struct VertexAttributes {
   vec4 coordinates;  // two sets
   vec4 color;
 };
 
 /// Tangents of a triangle's corners, as parts of its edges from the first corner to the second and
-/// to the third, so that they go with the deformation.
+/// to the third, so that they follow the deformation.
 struct CornerTangents {
   vec4 first;  // of corner 0, xy, and 1, zw
   vec4 last;   // of corner 2, xy; z: side of the bitangent
@@ -71,26 +71,26 @@ struct SeenMaterial {
   vec4 normal;      // unit, to the side that is seen; w: share of indirect light
   vec4 emission;    // rgb: radiance; w: 1 where it is unlit
   vec4 around;   // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
-                 // sky. Of a translucent surface, without the sky; w: 1 where that is known
+                 // sky. For a translucent surface, rgb leaves out the sky; w: 1 where it is known
   vec4 through;  // rgb: share of light on the other side that leaves here diffusely, less what is
                  // mirrored
   vec4 behind;   // rgb: irradiance on the other side, where some of it gets through
 };
 
-/// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over so many.
+/// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over this many.
 OPALINE_OPAQUE_CONSTANT albedoRows = 16u;
 
-/// Rays of what an opaque surface mirrors, at most.
+/// The most rays for what an opaque surface mirrors.
 OPALINE_OPAQUE_CONSTANT mostMirroredRays = 16u;
 
-/// Of the tables of the reflection without Fresnel's reflectance and with that of Schlick 1994:
-/// roughness by cosine of the view.
+/// Entries along roughness and along the view's cosine of the tables of reflection, without
+/// Fresnel's reflectance and with that of Schlick 1994.
 OPALINE_OPAQUE_CONSTANT glossEntries = 32u;
 
-/// Of their lobes (lights/reflection_lobe.h): roughness by as many cosines as others have.
+/// Roughnesses in the tables of their lobes (lights/reflection_lobe.h), which have as many cosines.
 OPALINE_OPAQUE_CONSTANT glossLobeRows = 8u;
 
-/// Levels of the sky as rougher and rougher surfaces mirror it, of roughness 0 to 1.
+/// Levels of the sky as surfaces of roughness 0 to 1 mirror it.
 OPALINE_OPAQUE_CONSTANT glossySkyLevels = 6u;
 
 #ifdef __cplusplus

@@ -12,12 +12,12 @@ using glm::vec4;
 #define OPALINE_PAINT_CONSTANT const uint
 #endif
 
-/// Of each paint's table: for the squares of 0 to 1 times the colour of the medium below.
+/// Entries of each paint's table: for the squares of 0 to 1 times the colour of the medium below.
 OPALINE_PAINT_CONSTANT paintEntries = 128u;
 
-/// An entry of such a table. The one behind the last has the colour of the medium as its thickness.
+/// An entry of such a table. One more behind the last has the medium's colour as its thickness.
 struct PaintEntry {
-  vec4 thickness;  // rgb, as bssrdf::PaintedBoundary has it; so have the others
+  vec4 thickness;  // rgb, as in bssrdf::PaintedBoundary; so are the others
   vec4 entering;
   vec4 layer;
   vec4 leaving;
@@ -26,7 +26,7 @@ struct PaintEntry {
   vec4 deep;
 };
 
-/// Its means over a cluster.
+/// Means of a paint over a cluster.
 struct ClusterPaint {
   vec4 entering;  // w: 1 where its body is painted
   vec4 layer;

@@ -10,8 +10,8 @@ namespace opaline::shared {
 using glm::vec3;
 #endif
 
-// A radial profile of three channels with all constant factors multiplied out, std430. Of both
-// models; filled by packProfile() of shaders/profile_packing.h. Lengths in mm.
+// A radial profile of three channels with all constant factors multiplied out, std430. It serves
+// both models and is filled by packProfile() of shaders/profile_packing.h. Lengths in mm.
 struct Profile {
   vec3 zRealSquared;  // z_r²
   float padding0;

@@ -9,25 +9,25 @@ using glm::uvec4;
 using glm::vec4;
 #endif
 
-/// A piece of a surfel where it lies in this frame, mm. A ray is let pass an edge on the outside by
-/// about what rounding moves vertices, so that none slips between pieces: by the slack over the
-/// length of the edge. For ray queries pieces are wider by as much instead.
+/// A piece of a surfel where it lies in this frame, mm. A ray may pass an edge on the outside by
+/// about as much as rounding moves vertices, so that none slips between pieces: by the slack over
+/// the edge's length. For ray queries the pieces are that much wider instead.
 struct RayPiece {
-  vec4 cornerObject;  // the first corner; w the object's index
-  vec4 cornerReach;   // the second; w mm: what a ray's origin, mm off 0, adds to the slack
-  vec4 cornerSlack;   // the third; w mm²; far below 0 for what is never hit
+  vec4 cornerObject;  // the first corner; w: the object's index
+  vec4 cornerReach;   // the second; w: slack per mm that a ray's origin lies off 0, mm
+  vec4 cornerSlack;  // the third; w: the rest of the slack, mm²; far below 0 for what is never hit
 };
 
-/// Boxes stand around the middle of the moved scene, in a unit that makes the furthest corner some
-/// ten thousand, so that half floats hold them: within a two-thousandth of how far off they are.
+/// Boxes are placed about the middle of the moved scene, in a unit that makes the furthest corner
+/// some ten thousand. Half floats then hold them within a two-thousandth of their distance.
 struct RayUnits {
   vec4 middleUnit;  // xyz mm; w: unit, mm
-  vec4 pieces;      // x: pieces a surfel
+  vec4 pieces;      // x: pieces per surfel
 };
 
-/// A box around the pieces below a node of the tree, wider than they by what rounding may do.
+/// A box around the pieces below a node of the tree, wider than they are by what rounding may do.
 struct RayBox {
-  uvec4 sidesLink;  // xyz: its low side and its high one, half floats; w: the node's link
+  uvec4 sidesLink;  // xyz: its low and high sides, half floats; w: the node's link
                     // (shared/surfels.h)
 };
 

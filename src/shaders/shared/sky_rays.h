@@ -11,7 +11,7 @@ namespace opaline::shared {
 #define OPALINE_SKY_RAYS_INLINE
 #endif
 
-/// Of one sample: a mirror needs one, as antialiasing softens its edges; a wide lobe a few.
+/// Rays per sample. A mirror needs one, as antialiasing softens its edges; a wide lobe needs a few.
 OPALINE_SKY_RAYS_INLINE float skyRaysOfSample(float alpha) {
 #ifdef __cplusplus
   using std::clamp;

@@ -18,11 +18,11 @@ using glm::vec4;
 OPALINE_SOFT_CONSTANT maxSoftNodes = 1360u;
 OPALINE_SOFT_CONSTANT softGroupSize = 64u;
 
-/// A corner of a cell is its node and, in bits 16 and above, how many cells are around that: its
-/// mass in eighths of a cell's; 0: it is held.
+/// A corner of a cell is its node and, in bits 16 and above, the number of cells around that node,
+/// which is its mass in eighths of a cell's. 0 means that it is held.
 OPALINE_SOFT_CONSTANT softMassShift = 16u;
 
-/// Cells that have no corner in common are of one colour.
+/// Cells of one colour have no corner in common.
 OPALINE_SOFT_CONSTANT softColours = 8u;
 
 /// A corner of cells, at rest.
@@ -45,14 +45,14 @@ struct SoftMotion {
 
 /// What a call of step does.
 struct SoftStep {
-  vec4 grab;         // xyz: a place to take hold of; w: 1 / radius, 0: none is taken
-  vec4 goal;         // xyz: how far the hold is to go; w: part of the way in a substep
+  vec4 grab;         // xyz: a place to take hold of; w: 1 / radius, or 0 to take none
+  vec4 goal;         // xyz: how far the hold is to go; w: part of that way per substep
   float shear;       // 8 μ h² / (ρ a²)
   float compliance;  // of a cell's volume, less what one iteration makes up for; ρ a² / (h² Pa)
   float anchor;      // (ω h)² of the pull to rest
   float grip;        // (ω h)² of the hold
   float damping;     // what is left of a velocity after a substep
-  float reach;       // farthest that a held node is asked to be from its rest
+  float reach;       // farthest from its rest that a held node is asked to go
   float stillStep;   // of all nodes in a substep, where nothing moves any more
   float stillShift;  // of all nodes, where all are taken to be at rest
   float strayShift;  // of any node, that is no rest if the body stands still there
@@ -65,7 +65,7 @@ struct SoftStep {
   uint firstOfColour[softColours + 1u];  // cell
 };
 
-/// What comes back of a step.
+/// What a step reports back.
 struct SoftReport {
   float holdX;  // how far the hold has gone
   float holdY;

@@ -15,16 +15,16 @@ using glm::vec4;
 #define OPALINE_SURFEL_CONSTANT const uint
 #endif
 
-/// Whole numbers with it that are read as floats are normal numbers, which no device changes.
+/// Whole numbers with this bit, when read as floats, are normal numbers, which no device changes.
 OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
 
-/// A part of a triangle, the same part however the triangle is deformed.
+/// A part of a triangle, the same one however the triangle is deformed.
 struct SurfelPiece {
   uint a;  // vertices of the triangle; this and the object with setBit
   uint b;
   uint c;
   uint object;
-  float v0;  // barycentric coordinates of its three corners, of b and c
+  float v0;  // barycentric coordinates of its three corners, for b and c
   float w0;
   float v1;
   float w1;
@@ -34,20 +34,20 @@ struct SurfelPiece {
   float areaMm2;   // at rest
 };
 
-/// Light that enters through a piece is looked up at so many of its points (lib/piece.glsl).
+/// Light that enters through a piece is looked up at this many of its points (lib/piece.glsl).
 OPALINE_SURFEL_CONSTANT pointsPerPiece = 3u;
 
-/// Every surfel sends out light from so many points.
+/// Every surfel sends out light from this many points.
 OPALINE_SURFEL_CONSTANT sourcesPerSurfel = 3u;
 
-/// One of them in this frame.
+/// One of those points in this frame.
 struct Source {
   vec4 positionArea;  // mm; mm² that it stands for
   vec4 flux;          // rgb: E·A that has entered
 };
 
-/// A node of the tree in this frame: what its sources send out, seen from far away. Channels that
-/// carry no flux have the others' centroid, and nodes without any that of their area.
+/// A node of the tree in this frame: what its sources send out, seen from far away. A channel
+/// without flux has the others' centroid; a node without any has that of its area.
 struct TreeNode {
   vec3 red;      // centroid of the red flux, mm
   float radius;  // mm; no source lies further from any of the three centroids
@@ -67,9 +67,9 @@ struct NodeBox {
   vec4 high;
 };
 
-/// A node's link: leaves have leafBit, their number of surfels less one from bit leafCountShift,
-/// and their first surfel below; inner nodes the index of the node after all that are below them.
-/// All have setBit.
+/// A node's link. A leaf's has leafBit, its number of surfels less one from bit leafCountShift, and
+/// its first surfel below. An inner node's is the index of the node after all below it. All have
+/// setBit.
 OPALINE_SURFEL_CONSTANT leafBit = 0x80000000u;
 OPALINE_SURFEL_CONSTANT leafCountShift = 26u;
 
