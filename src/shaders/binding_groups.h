@@ -2,9 +2,9 @@
 
 #include "gpu/binding.h"
 
-/// Bindings that many shaders have, by the names that these have in GLSL. Where a shader has all of
-/// a group, its C++ side has the group in their place; see cmake/shader_interface.py. Of groups
-/// that share bindings it is the last one that fits.
+/// Bindings that many shaders have, by their names in GLSL. The C++ side of a shader that has all
+/// of a group has the group instead; see cmake/shader_interface.py. Of groups that share bindings
+/// the last one that fits is taken.
 namespace opaline::shaders {
 
 /// What lib/opaque_material.glsl needs.

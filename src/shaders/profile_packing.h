@@ -8,7 +8,7 @@
 
 namespace opaline::shaders {
 
-/// What lib/profile.glsl wants to know of the profiles of three channels, all of the same model.
+/// What lib/profile.glsl needs of the profiles of three channels, all of the same model.
 inline shared::Profile packProfile(const std::array<bssrdf::Profile, 3>& channels) {
   shared::Profile packed{};
   for (int c = 0; c < 3; ++c) {

@@ -1,5 +1,5 @@
-// Which nodes of light act on the clusters of a group: those which are far from all of them, and leaves. Of
-// each of the trees that boundary/beam_nodes.comp.glsl has made.
+// The nodes of light that act on the clusters of a group: leaves, and nodes that are far from all of the
+// clusters. Lists them for each tree that boundary/beam_nodes.comp.glsl has made.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -28,20 +28,20 @@ layout(push_constant) uniform Push {
   uint lights;
   uint nodeCount;  // of a tree
   uint room;       // of a list
-  uint firstNode;  // of a body's, for each
+  uint firstNode;  // of the nodes of each body
   uint endNode;
 };
 
-// From further than that, no light that scatters once is left.
+// Light that scatters once is gone beyond this.
 const float furthestFreePaths = 8.0;
 
 uint root;  // of the tree
 ClusterGroup group;
 Around around;
 float sigma;
-float reachMm;  // where no light of any point comes from further
+float reachMm;  // no light of any point comes from further
 
-// Of the body's nodes, those that this invocation looks at.
+// The part of the body's nodes that this invocation looks at.
 uint sliceBegin;
 uint sliceEnd;
 
@@ -70,7 +70,7 @@ bool isFarFromAll(BeamNode node) {
   return !own && isFar(nearest * nearest, node.extent.x, sigma, openingAngle);
 }
 
-// Of this invocation's slice, the next entry for the list from node `at` on, or noNode.
+// The next entry for the list, from node `at` on in this invocation's slice, or noNode.
 uint nextActing(inout uint at) {
   uint found = noNode;
   while (found == noNode && at < sliceEnd) {

@@ -1,5 +1,5 @@
-// Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
-// inner nodes.
+// Points of light in the body on the nodes of the tree of clusters: at leaves, one per cluster, or
+// at inner nodes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -29,16 +29,17 @@ layout(push_constant) uniform Push {
 };
 
 BeamTree tree;
-uint root;  // of it
+uint root;  // of the tree
 
-// How large points are felt to be by light that scatters once, in roots of their mean square
-// distance: it falls off steeply. Fluence takes their spread into account, so that clusters of points
-// are felt less; but second collisions lie all around and are met by those of the clusters beside.
+// How large points are felt to be by light that scatters once, which falls off steeply, in roots of
+// their mean square distance. Fluence takes their spread into account, so that clusters of points
+// feel smaller to it; but second collisions lie all around, among those of the clusters beside.
 const float feltOnce = 1.4;
 const float feltInARow = 1.0;
 const float feltAllAround = 1.0;
-const float feltOfRadius = 0.7;  // at most, of the furthest one's distance
-const float feltOfDisc = 0.25;   // at least, of the cluster: next to it light is that of a disc
+const float feltOfRadius = 0.7;  // at most, of the distance of the furthest point
+const float feltOfDisc = 0.25;   // at least, of the cluster's radius: next to it light is that of a
+                                 // disc
 
 mat3 placesOf(BeamPoint point) {
   return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
@@ -63,7 +64,7 @@ vec3 powerOf(BeamNode node) {
   return vec3(node.redPower.w, node.extent.w, node.bluePower.w);
 }
 
-// `square` is of what the power does not have yet.
+// `square` is the part that the power does not include yet.
 void put(uint node, mat3 centroids, float radius, Squares squares, float square, vec3 power) {
   float apart = max(distance(centroids[0], centroids[1]), distance(centroids[2], centroids[1]));
   float size = sqrt(squares.same.x + squares.same.y + squares.same.z);
@@ -129,7 +130,8 @@ void gatherLeaf(uint i) {
                    : mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb));
   float spread = felt * sqrt(square);
   if (!tree.scattersOnce) {
-    // Red goes several times as far as blue; so each channel is told apart here, where it is known.
+    // Red goes several times as far as blue, so each channel's spread enters its power here, where
+    // it is known.
     power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * ofChannels;
     square = 0.0;
   }
@@ -173,7 +175,7 @@ void fitNode(uint node, uint link) {
   put(node, centroids, sqrt(felt2 / all), squares, square / all, power);
 }
 
-// Of those that are fitted.
+// Enters a tree that is fitted.
 bool enterTree(uint which) {
   tree = beamTree(firstTree + which, kinds, lights);
   root = (firstTree + which) * nodeCount;

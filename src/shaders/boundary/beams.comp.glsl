@@ -1,5 +1,5 @@
-// Where light that enters through a cluster first collides in the body: of one light, along its refracted
-// ray and that ray's reflections inside; or of what comes from everywhere, below the cluster.
+// Where light that enters through a cluster first collides in the body. A light's collides along its
+// refracted ray and that ray's reflections inside; light from everywhere, below the cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 1
@@ -37,7 +37,7 @@ layout(constant_id = 1) const uint withLinings = 0u;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint firstLight;  // or the number of lights for what comes from everywhere
+  uint firstLight;  // or the number of lights for light from everywhere
   uint lights;      // from that on
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
@@ -47,19 +47,20 @@ layout(push_constant) uniform Push {
 const float leastShare = 0.005;      // of light that is followed further
 const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 
-// Little light gets far before it collides; but to the other side of a thick part that is all there
-// is. So points lie where light would collide in a medium thinner by this factor, and shares make
-// up for it: three points then sum e^{-t} e^{kt} over free paths t within 1 % for k up to 1/2, where
+// Little light gets far before it collides, but on the other side of a thick part that is all there
+// is. So points lie where light would collide in a medium thinner by this factor, and shares make up
+// for it. Three points then sum e^{-t} e^{kt} over free paths t within 1 % for k up to 1/2, where
 // quantiles of the light itself are 13 % too low.
 const float thinner = 0.5;
 
 #include "lib/beam_body.glsl"
 
 uint light;
-uint beam;        // of the cluster and that light, among those that are found together
+uint beam;        // of the cluster and that light, among those found together
 uint pointCount;  // so far
 
-// Of light that collides at these lengths along a ray; what is not followed further counts as a source further on.
+// Puts light that collides at these lengths along a ray. What is not followed further counts as a source further
+// on.
 void put(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 lengths, vec3 shares) {
   vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
   vec3 ends = lengths + onward;
@@ -71,12 +72,12 @@ void put(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm
   ++pointCount;
 }
 
-// Gauss's points and weights.
+// Points and weights of Gauss.
 const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
 const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 const float twoAt[2] = float[2](0.211324865, 0.788675135);
 
-// `returns`: of what gets to the end of it, how much is mirrored there and goes to and fro.
+// `returns` is the part of what gets to the end that is mirrored there and goes to and fro.
 void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction,
                   float returns) {
   vec3 less = thinner * extinction;
@@ -95,21 +96,22 @@ void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float
     put(body, cluster, origin, direction, lengthMm, lengths[p], shares[p] / all * collides);
 }
 
-// Of a beam with that cosine inside.
+// For a beam with that cosine inside.
 vec3 throughPaint(uint cluster, Body body, float cosine) {
   return throughLayer(clusterPaints[cluster].entering.rgb, body.medium.sigma.w, cosine);
 }
 
-// A lining sends light on evenly: along its normal, by a way as much longer as its mean cosine asks for.
+// A lining sends light on evenly. This is taken as light along its normal, on a way as much longer as
+// its mean cosine asks for.
 const float cosineOfEven = 2.0 / 3.0;
 
-// Of light that comes evenly, 2C₁.
+// 2C₁, reflected of even light.
 float reflectedOfEven(Body body) {
   float critical = body.medium.albedo.w;
   return 1.0 - body.medium.extinction.w * (1.0 - critical * critical);
 }
 
-// Of light that meets a piece of the surface, how much goes on.
+// How much goes on of light that meets a piece of the surface.
 vec3 reflectedBy(uint piece, Body body, bool isEven, float cosine) {
   if (isLining(piece)) return givenBackBy(piece);
   return vec3(isEven ? reflectedOfEven(body) : reflectedInside(body, cosine));
@@ -149,7 +151,7 @@ void throughBody(Body body, Cluster cluster) {
   if (meetsLining) reflections(body, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
 }
 
-// Of light of a large area light, the mean cosine inside: by four places that halve it each way.
+// The mean cosine inside of light of a large area light, by four places that halve it each way.
 float meanCosineInside(Body body, AreaView view, vec3 normal) {
   float sum = 0.0;
   float all = 0.0;
@@ -215,7 +217,7 @@ void main() {
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
     cosineInside = -dot(direction, normal);
     RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
-    float longer = 1.0;  // the ways of all the light to a depth, over that of its mean direction
+    float longer = 1.0;  // all ways of the light to a depth, over that of its mean direction
     if (light >= firstAreaLight()) {
       float mean = meanCosineInside(body, areaViewFrom(entry.place.xyz, light), normal);
       if (mean > 0.0) longer = max(cosineInside / mean, 1.0);

@@ -23,7 +23,7 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
-// How far a cluster is felt by the interpolation between clusters, in edges of it as a square.
+// How far the interpolation between clusters feels a cluster, in edges of it as a square.
 const float reachInEdges = 1.7;
 
 void main() {
@@ -48,7 +48,7 @@ void main() {
   vec3 middle = area > 0.0 ? byArea / area : positionOf(pieceAt(first).a);
   vec3 normal = unitOr(vectorArea, vec3(0.0, 1.0, 0.0));
 
-  // The piece whose middle is nearest stands for the cluster where it has to be on the surface.
+  // Where the cluster has to be on the surface, the piece whose middle is nearest stands for it.
   float square = 0.0;
   float radius = 0.0;
   float least = 3e38;

@@ -1,5 +1,5 @@
-// The coefficients of the operator of the boundary's equation, of which every step of the solver takes a product:
-// of each node of a tile's list and each of the tile's clusters. See boundary/product.comp.glsl.
+// The coefficients of the operator of the boundary's equation, for each node of a tile's list and each of the
+// tile's clusters. Every step of the solver takes a product with them; see boundary/product.comp.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -20,7 +20,7 @@ layout(push_constant) uniform Push {
   uint tileCount;
   float openingAngle;
   uint roomOfList;
-  uint roomOfCoefficients;  // of nodes
+  uint roomOfCoefficients;  // in nodes
 };
 
 void put(uint first, ActingNode node) {

@@ -1,5 +1,5 @@
 // Where opaque bodies have holes: pieces of surfels whose mean alpha is less than the cutoff get a negative
-// part of their triangle, by which they have no area and no ray meets them.
+// part of their triangle, so that they have no area and no ray meets them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0

@@ -1,5 +1,5 @@
-// The next vector of the solver's basis, from the last product, and as a fluence at the clusters its
-// densities on their nodes; or those of the fluence at which as much leaves as has entered. Each node has
+// The next vector of the solver's basis, from the last product, and its densities on the nodes of clusters,
+// where it is a fluence; or those of the fluence at which as much leaves as has entered. Each node takes
 // them from the clusters below it, so that none waits for another. A work group has some leaves and nodes of
 // few clusters, or one of many.
 #version 460
@@ -30,7 +30,8 @@ ClusterRange rangeOf(uint cluster) {
 TEXELS(5, clusterTexels);  // Cluster
 TEXELS(6, products);
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
-layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // of each vector of the basis
+layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // for each vector of the
+                                                                             // basis
 layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Entered { vec4 entered[]; };
 
@@ -40,7 +41,7 @@ layout(push_constant) uniform Push {
   uint innerCount;
   uint nodeCount;
   uint solution;
-  uint ofEntered;  // 1: of the light that has entered at the surface, for its double layer alone
+  uint ofEntered;  // 1: takes the light that has entered at the surface, for its double layer alone
 };
 
 vec3 enteredFluence(uint cluster) {
@@ -49,12 +50,12 @@ vec3 enteredFluence(uint cluster) {
   return fluenceEntered(cluster, entered[cluster].rgb, thicknessMm, medium);
 }
 
-// Of the vectors of the basis there are as many as there were steps.
+// The basis has as many vectors as there were steps.
 uint vectorCount() {
   return ofEntered != 0u ? 0u : states[solution].steps;
 }
 
-// What is left of the last product without its parts along the vectors of the basis so far.
+// What is left of the last product without its parts along the basis so far, over its norm.
 vec3 nextVector(uint cluster) {
   vec3 vector = texelOf(products, int(cluster)).rgb;
   uint steps = vectorCount();
@@ -67,7 +68,7 @@ DensityNode noDensity() {
   return DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));
 }
 
-// Seen from `place`, a density is one there and a dipole.
+// Seen from `place`, a density is one there plus a dipole.
 void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 weightS) {
   vec4 centroidArea = texelOf(clusterTexels, texelOfCluster(cluster, 0u));
   vec3 vectorArea = texelOf(clusterTexels, texelOfCluster(cluster, 2u)).xyz;
@@ -79,7 +80,8 @@ void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 wei
   sum.blue += fluence.b * vec4(vectorArea + weightS.b * areas.b * arm, areas.b);
 }
 
-// Of the last product, or of what has entered, at the clusters below: every `stride`-th from the `start`-th on.
+// The density of the last product, or of what has entered, at the clusters below: every `stride`-th from the
+// `start`-th on.
 DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   vec3 weightS = ofEntered != 0u ? vec3(0.0) : singleLayerWeight(insideOf(objects[inner.object]));
   vec3 place = centroidLinkOf(inner.node).xyz;
@@ -89,7 +91,8 @@ DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   return sum;
 }
 
-// The same combination of the last product's and of those of the vectors so far as the next vector is.
+// Combines the last product's density with those of the vectors so far, as the next vector does with
+// the vectors.
 void putInner(uint node, DensityNode sum) {
   uint steps = vectorCount();
   for (uint k = 0u; k < steps; ++k) {
@@ -103,7 +106,7 @@ void putInner(uint node, DensityNode sum) {
   nodes[steps * nodeCount + node] = DensityNode(scale.r * sum.red, scale.g * sum.green, scale.b * sum.blue);
 }
 
-shared DensityNode ofSubgroup[gl_WorkGroupSize.x / 4u];  // of 4 invocations at least
+shared DensityNode ofSubgroup[gl_WorkGroupSize.x / 4u];  // for subgroups of at least 4
 
 void putLarge(InnerNode inner) {
   DensityNode sum = densityOf(inner, gl_LocalInvocationIndex, gl_WorkGroupSize.x);

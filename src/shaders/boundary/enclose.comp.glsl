@@ -25,7 +25,7 @@ layout(push_constant) uniform Push {
   uint roomOfList;
 };
 
-// What leaves so many lengths of extinction away does not arrive.
+// What leaves this many lengths of extinction away does not arrive.
 const float furthestFelt = 16.0;
 
 bool isFelt(uint node) {
@@ -47,7 +47,8 @@ float largestRadius() {
   return largest;
 }
 
-// Of this invocation's part of the tree, the next leaf from `at` on that is felt within so much of a cluster's middle.
+// The next leaf from `at` on, in this invocation's part of the tree, that is felt within that radius of a cluster's
+// middle.
 uint nextFelt(inout uint at, float radius) {
   while (at < sliceEnd) {
     uint node = at;

@@ -1,5 +1,5 @@
-// The light that enters through the clusters in this frame, of each light by itself and, last, of all that
-// comes from everywhere.
+// The light that enters through the clusters in this frame: of each light by itself and, last, all from
+// everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SKY_IRRADIANCE 7
@@ -18,7 +18,7 @@
 #include "lib/unit.glsl"
 #include "lib/vertex_at.glsl"
 
-// Else the shader has no code for them: on devices that execute both sides of a branch it would be run for
+// 0: the shader has no code for area lights. Devices that execute both sides of a branch would run it for
 // every light.
 layout(constant_id = 0) const uint withAreaLights = 1u;
 
@@ -41,15 +41,15 @@ layout(push_constant) uniform Push {
   uint skyIsDark;
 };
 
-// Of a light, by the cosine to the facet, so that no light is lost or gained. What of it is visible
-// has been looked up where the surfels gathered.
+// What enters of a light, by the cosine to the facet, so that no light is lost or gained. Its
+// visible part was looked up where the surfels gathered.
 vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piece, uint point) {
   float visible = unpackVisibility(visibilities[visibilityIndex(index, piece, pieceCount)], point);
   IncidentLight light = incidentLight(index, place);
   return light.irradiance * (enteringPart(light, facet, facet, medium) * visible);
 }
 
-// Of an area light, which a piece sees from its middle.
+// What enters of an area light, which a piece sees from its middle.
 vec3 enteringOfArea(PieceShape shape, vec3 facet, ObjectData body, uint index, uint piece) {
   uint word = visibilities[visibilityIndex(index, piece, pieceCount)];
   if (word == 0u) return vec3(0.0);
@@ -57,7 +57,7 @@ vec3 enteringOfArea(PieceShape shape, vec3 facet, ObjectData body, uint index, u
   return meanVisibility(word) * areaEntering(index, middle, facet, mediumAt(body, middle));
 }
 
-// Light that enters through a piece, mean over its points: of a light, or from everywhere.
+// Light that enters through a piece, from a light or from everywhere, as a mean over its points.
 const uint everywhere = 0xffffffffu;
 vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);

@@ -1,6 +1,6 @@
-// What leaves through every cluster with an inside: M = M₁ + x / 2A + sE, added to that of light which entered before.
-// sE is what has entered at the surface, and x the rest of the fluence times α': the combination of the
-// solver's basis that leaves the smallest residual.
+// What leaves through every cluster with an inside, M = M₁ + x / 2A + sE, added to that of light which entered before.
+// sE is what has entered at the surface. x is the rest of the fluence times α': the combination of the solver's basis
+// that leaves the smallest residual.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -27,13 +27,13 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint solution;
   uint adds;       // 1: to what entered before
-  uint isDiffuse;  // 1: diffuse light has entered
+  uint isDiffuse;  // 1: adds to what entered before
   uint atSurface;  // 1: some of it there
-  uint scattersOnce;  // 1: some light leaves after its first collision
+  uint scattersOnce;  // 1: some of it at the surface
   uint lights;        // that have entered as well
 };
 
-// Clusters that hold both sides of a sheet do not tell on which of them light was mirrored.
+// A cluster that holds both sides of a sheet does not tell on which of them light was mirrored.
 float oneSided(Cluster cluster) {
   return smoothstep(0.3, 0.7, length(cluster.vectorArea.xyz) / max(cluster.centroidArea.w, 1e-30));
 }
@@ -51,7 +51,7 @@ vec3 fluenceOf(uint cluster) {
   return sum;
 }
 
-// From M₁ + x / 2A and sE: what is below the paint, and then what gets through it.
+// From M₁ + x / 2A and sE: the light below the paint, and then what gets through it.
 vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   ClusterPaint paint = clusterPaints[i];
   vec3 ofEntered = paint.atSurface.rgb / (2.0 * medium.diffusion.w);
@@ -62,7 +62,7 @@ vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   return leavesLayer(bare, enters, paint.leaving.rgb, paint.deep.rgb, paint.takenOff.rgb, ofEntered);
 }
 
-// What would leave a half-space of the light that has entered here.
+// What would leave a half-space of all light that has entered here.
 vec3 leavesNearby(uint i, BoundaryMedium medium) {
   vec3 all = isDiffuse != 0u ? entered[i].rgb : vec3(0.0);
   for (uint light = 0u; light < lights; ++light) all += entries[light * clusterCount + i].irradiance.rgb;

@@ -1,5 +1,5 @@
-// What bounces that are not followed would add, if of each as much entered again as of the last one: a
-// geometric series. Of opaque bodies opaque.comp adds it. One work group.
+// What bounces that are not followed would add, if as much of each entered again as of the last one: a
+// geometric series. For opaque bodies opaque.comp adds it. One work group.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/group_sum.glsl"
@@ -9,13 +9,13 @@
 #include "shared/boundary.h"
 #include "shared/paint.h"
 
-layout(constant_id = 0) const uint ofLast = 1u;  // else of the one before
+layout(constant_id = 0) const uint ofLast = 1u;  // 0: of the one before
 layout(constant_id = 1) const uint withPaint = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Latest { vec4 latest[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Entered { vec4 entered[]; };
-// After the last of them, what of its light is still to come.
+// After the last bounce, what is still to come of its light, over it.
 layout(std430, set = 0, binding = 3) buffer PowerBefore { vec4 powerBefore; };
 layout(std430, set = 0, binding = 4) buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 5) buffer BareLights { BareLight bareLights[]; };

@@ -1,6 +1,6 @@
-// Light that scattered once and leaves after it was mirrored inside, brought to the clusters through which it leaves:
-// first added up in whole numbers, then turned into exitance. A way stands for all in directions near it, so
-// what it brings is spread over the clusters around; then nothing jumps where ways move on to other clusters.
+// Light that scattered once and leaves after it was mirrored inside, brought to the clusters through which it leaves.
+// It is first added up in whole numbers, then turned into exitance. A way stands for all in directions near it, so
+// what it brings is spread over the clusters around. Then nothing jumps where ways move on to other clusters.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_CLUSTER_NODES 0
@@ -18,17 +18,18 @@ layout(std430, set = 0, binding = 3) readonly buffer AroundTiles { uint around[]
 layout(std430, set = 0, binding = 4) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Strongest { uint strongest[]; };
 layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided[]; };
-layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three a cluster of lights, then of everywhere
+layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three per cluster, of lights, then of
+                                                                    // everywhere
 layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };  // M₁
 layout(std430, set = 0, binding = 9) readonly buffer StrongestOfEverywhere { uint strongestOfEverywhere[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint lights;
-  uint comesFromEverywhere;  // 1: the light that is added up
+  uint comesFromEverywhere;  // 1: so does the light that is added up
 };
 
-// What 1 of the sums is in power.
+// The power that 1 of the sums stands for.
 float powerOfOne(uint everywhere) {
   uint most = everywhere != 0u ? strongestOfEverywhere[0] : strongest[0];
   return uintBitsToFloat(most) / wholeOfMost(everywhere != 0u ? clusterCount : lights * clusterCount);
@@ -39,7 +40,7 @@ vec3 sumsOf(uint everywhere, uint i) {
   return vec3(sums[first], sums[first + 1u], sums[first + 2u]);
 }
 
-// Mean over the clusters around of the power that leaves over their areas.
+// The mean over the clusters around of the power that leaves, over their areas.
 vec3 exitanceAround(uint i) {
   float ofLights = powerOfOne(0u);
   float ofEverywhere = powerOfOne(1u);

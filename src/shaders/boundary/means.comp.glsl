@@ -1,4 +1,5 @@
-// The half-space's exitance as its mean over every cluster, from that of vertices, of surfels or of patches.
+// The half-space's exitance as its mean over every cluster, from exitances of vertices, of surfels or of
+// patches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SOURCES 2
@@ -28,7 +29,7 @@ vec3 exitanceAt(uint place) {
   return texelOf(exitances, int(place)).rgb;
 }
 
-// Interpolated in the middle of its pieces.
+// Interpolated in the middle of the surfel's pieces.
 vec3 atVertices(uint surfel) {
   vec3 sum = vec3(0.0);
   float parts = 0.0;
@@ -41,7 +42,7 @@ vec3 atVertices(uint surfel) {
   return parts > 0.0 ? sum / parts : vec3(0.0);
 }
 
-// Exitance and area.
+// Exitance times area, and area.
 vec4 overSurfels(ClusterRange range) {
   vec4 sum = vec4(0.0);
   for (uint surfel = range.firstSurfel; surfel < range.endSurfel; ++surfel) {

@@ -1,5 +1,5 @@
-// The sky's light that enters each surfel: as much of it as the clusters around see. A work group has some of the
-// surfels of a cluster.
+// The sky's light that enters each surfel, by how much of it the clusters around see. A work group has some of
+// the surfels of a cluster.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -30,15 +30,15 @@ layout(push_constant) uniform Push {
   uint clusterCount;
 };
 
-// Of a cluster, what tells how much it counts at a place.
+// What tells how much a cluster counts at a place.
 struct Felt {
   bool near;
-  vec4 place;       // and over its reach squared
+  vec4 place;       // w: 1 over its reach squared
   vec4 normalPeak;
   vec3 share;
 };
 
-// Of those around, the one with that leaf, for places so far around a middle.
+// The cluster around that has that leaf, for places within a radius of a middle.
 Felt feltOf(uint leaf, vec3 middle, float radius) {
   vec4 centroidLink = centroidLinkOf(leaf);
   float reach = spreadOf(leaf).z;
@@ -48,13 +48,14 @@ Felt feltOf(uint leaf, vec3 middle, float radius) {
   Felt its;
   its.near = distance(centroidLink.xyz, middle) <= reach + radius;
   its.place = vec4(centroidLink.xyz, 1.0 / max(reach * reach, 1e-30));
-  // Few rays tell nothing of a bright part that they miss.
+  // Few rays say nothing of a bright part that they miss.
   its.normalPeak = vec4(normalRadius.xyz, shareLight.w * peakOfCluster(reach, edgeOfDisc(normalRadius.w)));
   its.share = shareLight.rgb;
   return its;
 }
 
-// The invocations of a subgroup go in step: each reads one of the clusters around, and tells the others.
+// The invocations of a subgroup go in step: each reads one of the clusters around and passes it to the
+// others.
 vec3 shareAt(vec3 place, vec3 normal, uint cluster, ClusterRange range) {
   vec3 middle = centroidLinkOf(range.node).xyz;
   float radius = spreadOf(range.node).x;
@@ -84,7 +85,7 @@ void main() {
   uint cluster = groupIndex() % clusterCount;
   uint part = groupIndex() / clusterCount;
   ClusterRange range = ranges[cluster];
-  if (range.side < 0.0) return;  // surfels are of the front
+  if (range.side < 0.0) return;  // surfels belong to the front
   ObjectData body = objects[range.object];
   uint begin = range.firstSurfel + part * surfelsOfPart;
   uint end = min(begin + surfelsOfPart, range.endSurfel);

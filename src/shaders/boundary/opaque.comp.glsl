@@ -1,7 +1,7 @@
-// What opaque clusters give back, or let through from their other side: first of all that comes from lights and the sky,
-// and what they send out by themselves, then of what other clusters send them, and at last of bounces that are not followed
-// (further_bounces.comp). For surfaces it keeps the irradiance that
-// these do not find for themselves (scatter/opaque_fragments).
+// What opaque clusters give back, or let through from their other side: first of light from lights and the sky, with
+// what they send out by themselves; then of what other clusters send them; and at last of bounces that are not followed
+// (further_bounces.comp). For surfaces it keeps the irradiance that these do not find for themselves
+// (scatter/opaque_fragments).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 12
@@ -29,7 +29,7 @@ layout(std430, set = 0, binding = 2) buffer OpaqueExitances { vec4 opaqueExitanc
 
 layout(std430, set = 0, binding = 11) readonly buffer StillToCome { vec4 stillToCome; };
 
-// Of which light, OpaquePass::From.
+// The light it takes, OpaquePass::From.
 const uint ofLights = 0u;
 const uint ofClusters = 1u;
 const uint ofFurtherBounces = 2u;
@@ -40,8 +40,8 @@ layout(push_constant) uniform Push {
   uint bounces;  // that are followed
 };
 
-// All further terms of a geometric series over its last, if that is the n-th after the first and such a part of
-// all up to it. Light that is soon gone here must not go on as long as the scene's as a whole.
+// All further terms of a geometric series over its last one, given that this is the n-th after the first and
+// that part of all up to it. Light that is soon gone here must not go on as long as in the whole scene.
 float furtherOfSeries(float part, float n) {
   float low = 0.0;
   float high = 1.0;
@@ -55,19 +55,19 @@ float furtherOfSeries(float part, float n) {
   return low / (1.0 - low);
 }
 
-// What a cluster finds by rays: of the sky, or what other clusters send.
+// What a cluster finds by rays: light of the sky, or what other clusters send.
 vec3 foundByRays(uint k) {
   if (from != ofLights) return entered[k].rgb;
   return skyShares[k].rgb * entries[frame.counts.w * clusterCount + k].irradiance.rgb;
 }
 
-// Such light changes along a surface by parts of how far away that is (Ward, Rubinstein and Clear
-// 1988): over so much of it, its mean is taken. A few rays of one cluster do not find what is small and bright. What
-// is sky and what is not must have the same mean, as they add up to all around.
+// Such light changes along a surface over parts of the distance that it comes from (Ward, Rubinstein and Clear
+// 1988), so its mean is taken over such parts. A few rays of one cluster do not find what is small and bright. Sky
+// and other light must have the same mean, as they add up to all around.
 const float evenOverRoom = 0.3;
 const float evenOverEdges = 6.0;
 
-// Cosine of the normals below which clusters are not in one surface.
+// Clusters whose normals have a smaller cosine are not in one surface.
 const float oneSurface = 0.9;
 
 vec3 foundAround(uint i) {
@@ -97,7 +97,7 @@ vec3 foundAround(uint i) {
   return sum / max(all, 1e-30);
 }
 
-// Of lights that shine on a cluster.
+// From lights that shine on a cluster.
 vec3 ofLightsOn(uint i) {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < allLightsAt(clusters[i].centroidArea.xyz); ++k)
@@ -105,7 +105,8 @@ vec3 ofLightsOn(uint i) {
   return sum;
 }
 
-// Where light goes through the body, what falls on the cluster's other side: what surfaces do not find, and what they do.
+// Where light goes through the body, the light on the cluster's other side: what surfaces do not find, and what they
+// do.
 vec3 behind = vec3(0.0);
 vec3 knownBehind = vec3(0.0);
 

@@ -1,6 +1,6 @@
 // What clusters of opaque bodies give back of light and let through, and what they send out by themselves: means of
-// their materials over their pieces, by the areas of these at rest. Of linings, the share given back to the light in the
-// body: nothing lies between the two that would mirror it, but for metal.
+// their materials over their pieces, by the areas of these at rest. For linings, the share given back to the light in
+// the body. Nothing between lining and body mirrors that light, except metal.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0

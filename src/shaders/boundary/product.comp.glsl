@@ -1,9 +1,9 @@
 // The operator of the boundary's equation on a fluence:
 //   c_i φ_i + S_ii φ_i / 2A_i + Σ_j [S_ij / 2A_j + K_ij] φ_j,  S = e^{-σr} / 4πDr,
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
-// With its inner products, weighted by area: with each vector of the basis so far, then with itself, one
-// sum a tile. The first step, 0, takes the right side instead: the sources, less what c and K give of
-// light that has entered at the surface. The work group that is the last to have its sums ends the step.
+// Also its inner products, weighted by area: with each vector of the basis so far, then with itself, one
+// sum per tile. The first step, 0, takes the right side instead: the sources, less what c and K give of
+// light that has entered at the surface. The last work group to have its sums ends the step.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -49,7 +49,7 @@ layout(push_constant) uniform Push {
   float tolerance;  // of the residual, relative to the sources and to what entered at the surface
   uint step;
   uint solution;
-  uint atSurface;      // 1: light has entered there
+  uint atSurface;      // 1: light has entered at the surface
   uint nodeCount;
   uint densityGroups;  // of the dispatch before the next product
   uint roomOfList;
@@ -58,13 +58,13 @@ layout(push_constant) uniform Push {
 
 #include "lib/solver_step.glsl"
 
-// Clusters that lie upon each other might give any share of the solid angle.
+// Clusters that lie upon each other could have any share of the solid angle.
 const float leastShare = 0.05;
 
 shared vec3 tileProducts[maxClustersOfTile];
-shared vec3 innerTerms[maxSolverSteps + 1u][maxClustersOfTile];  // of inner products
+shared vec3 innerTerms[maxSolverSteps + 1u][maxClustersOfTile];  // terms of inner products
 
-// What a fluence is on a node.
+// A fluence as it is on a node.
 struct NodeDensity {
   mat3 dipoles;  // a column for each channel
   vec3 density;  // Σ a φ
@@ -80,7 +80,7 @@ NodeDensity densityAt(uint node) {
 
 vec3 sumOfActions[maxClustersOfTile];
 
-// As boundary/coefficients.comp.glsl has left them.
+// Adds a node by the coefficients kept for it.
 void addKept(uint k, uint node) {
   NodeDensity there = densityAt(node);
   vec3 place = centroidLinkOf(node).xyz;
@@ -106,8 +106,8 @@ void add(uint at, vec3 weightS) {
                                  there.density);
 }
 
-// What acts on each cluster of the tile, for sumOfTile(). The coefficients of a list's first nodes are kept; those
-// of step 0 are others.
+// Sums what acts on each cluster of the tile, for sumOfTile(). The coefficients of a list's first nodes are kept;
+// step 0 has others.
 void sumActions() {
   vec3 weightS = step > 0u ? singleLayerWeight(medium) : vec3(0.0);
   takeWayOfTile();
@@ -127,7 +127,7 @@ void sumActions() {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, sumOfActions[t]);
 }
 
-// Of all that act on a cluster, and of itself.
+// The product: the sum of all that act on a cluster, and the cluster itself.
 vec3 productOf(uint i, vec3 sum) {
   if (!boundsDiffusion(ranges[i].kind)) return vec3(0.0);  // there is no equation
   Cluster cluster = clusters[i];
@@ -141,8 +141,8 @@ vec3 enteredFluence(uint i) {
   return fluenceEntered(i, entered[i].rgb, clusters[i].start.w, medium);
 }
 
-// α' times the sources, less (c + K) on what has entered. That is nothing where this is even and nothing
-// is absorbed, since c comes from the same sums as K.
+// α' times the sources, less (c + K) on what has entered. The latter is nothing where that is even and
+// nothing is absorbed, since c comes from the same sums as K.
 vec3 rightSideOf(uint i, vec3 sum) {
   if (!boundsDiffusion(ranges[i].kind)) return vec3(0.0);
   vec3 right = medium.scatters.rgb * sources[i].rgb;
@@ -150,13 +150,13 @@ vec3 rightSideOf(uint i, vec3 sum) {
   return right;
 }
 
-// Of light at the surface, over its fluence: the right side may be as good as nothing though much light has
-// entered, so that it does not tell which residual is small. With this, bounces of a bunny of marble are
-// within 1 %, as they are where the same light is followed to its first collisions.
+// The size of light at the surface, over its fluence. The right side may be as good as nothing though much
+// light has entered, and then does not tell which residual is small. With this, bounces of a bunny of
+// marble are within 1 %, as they are where the same light is followed to its first collisions.
 const float sizeOfEntered = 4.0;
 
-// With the k-th vector of the basis, and then with itself. The first step also has the size of what has
-// entered at the surface.
+// A term of the product with the k-th vector of the basis, and then with itself. The first step also
+// has the size of what has entered at the surface.
 vec3 innerTerm(uint k, uint t, uint cluster) {
   float area = clusters[cluster].centroidArea.w;
   if (k < step) return area * basis[k * clusterCount + cluster].rgb * tileProducts[t];
@@ -165,7 +165,7 @@ vec3 innerTerm(uint k, uint t, uint cluster) {
   return area * entering * entering;
 }
 
-// Of the tile's clusters, an invocation for each and each vector.
+// Inner products over the tile's clusters, by an invocation for each cluster and vector.
 void putInnerProducts() {
   uint last = max(step, 1u);
   uint t = gl_LocalInvocationIndex % maxClustersOfTile;
@@ -184,7 +184,7 @@ void putInnerProducts() {
 
 shared uint tilesBefore;
 
-// After its first subgroup has put them: whether all other tiles have their inner products already.
+// Whether all other tiles have put their inner products, after this one's first subgroup has.
 bool isLastOfTiles() {
   if (gl_SubgroupID == 0u) {
     subgroupMemoryBarrierBuffer();

@@ -26,8 +26,8 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
-// Of coordinates: some roundings of them, and of rays by the device's own hardware or driver, as
-// measured on a software one.
+// Parts of coordinates: some roundings of them, and those that the device's hardware or driver
+// makes for rays, as measured on a software one.
 const float roundedInQueries = 1.0 / float(1u << 19u);
 const float roundedPart = 1.0 / float(1u << 21u);
 
@@ -41,8 +41,8 @@ vec3 cornerAt(mat3 triangle, float v, float w) {
   return (1.0 - v - w) * triangle[0] + v * triangle[1] + w * triangle[2];
 }
 
-// Edges moved outwards by that much, mm: enlarged about the middle of the inscribed circle. By a
-// thousandth at most, so that needles stay where they are.
+// Moves edges outwards by that much, mm, by enlarging the piece about the middle of its inscribed
+// circle. It grows by a thousandth at most, so that needles stay where they are.
 mat3 widened(mat3 corners, float byMm) {
   vec3 edges = vec3(distance(corners[1], corners[2]), distance(corners[2], corners[0]),
                     distance(corners[0], corners[1]));
@@ -54,7 +54,7 @@ mat3 widened(mat3 corners, float byMm) {
   return corners;
 }
 
-// Of the furthest corner from the middle.
+// How far the furthest corner is from the middle.
 const float furthestUnits = 16384.0;
 
 vec4 middleUnit() {

@@ -1,5 +1,5 @@
 // Light that comes from one cluster and enters another, by what the rays outwards met: what left there,
-// and what was mirrored there as other light entered. It enters like what comes from everywhere.
+// and what was mirrored there as other light entered. It enters like light from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -23,7 +23,7 @@ layout(constant_id = 0) const uint withPaint = 0u;
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
-  uint isFirst;  // 1: light that was mirrored on arrival too
+  uint isFirst;  // 1: adds light that was mirrored on arrival
 };
 
 void main() {

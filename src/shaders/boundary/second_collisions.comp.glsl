@@ -1,4 +1,4 @@
-// Where the part of a beam that is followed further collides next: for each channel of each point. On the way
+// Where the part of a beam that is followed further collides next, for each channel of each point. On the way
 // some of it is mirrored inside, and what leaves after that is kept as well.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -16,7 +16,8 @@
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Entries { Entry entries[]; };
-layout(std430, set = 0, binding = 7) buffer Points { vec4 points[]; };  // BeamPoint: a vec4 a channel
+layout(std430, set = 0, binding = 7) buffer Points { vec4 points[]; };  // BeamPoint: a vec4 per
+                                                                        // channel
 layout(std430, set = 0, binding = 8) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 10) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
@@ -25,14 +26,14 @@ layout(std430, set = 0, binding = 11) readonly buffer Collisions { FirstCollisio
 layout(std430, set = 0, binding = 12) writeonly buffer GuidedLight { Guided guidedLight[]; };
 
 layout(constant_id = 0) const uint withLinings = 0u;
-layout(constant_id = 1) const uint sharers = 1u;  // invocations of a beam
+layout(constant_id = 1) const uint sharers = 1u;  // invocations per beam
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint firstLight;  // or the number of lights for what comes from everywhere
   uint lights;      // from that on
   uint piecesPerSurfel;
-  uint comesFromEverywhere;  // 1: the light
+  uint comesFromEverywhere;  // 1: this light does
 };
 
 #include "lib/beam_body.glsl"
@@ -50,20 +51,21 @@ const float endOfGuided = 4.0;
 struct Way {
   vec3 origin;
   vec3 direction;
-  float path;    // that is left, mm
-  float share;   // of the light, what goes all of it
+  float path;    // left to go, mm
+  float share;   // of the light, if all of it goes this way
   float onward;  // what is on its way here, over the part of such ways that is longer
 };
 
-// Of light that meets a piece of the surface, how much goes on. At a lining it does so evenly, here as if mirrored.
+// How much goes on of light that meets a piece of the surface. A lining sends it on evenly, which is taken here as
+// if mirrored.
 float mirroredBy(Body body, RayHit hit, float cosine, int channel) {
   return isLining(hit.piece) ? givenBackBy(hit.piece)[channel] : reflectedInside(body, cosine);
 }
 
-// Goes on for a path's length, mirrored where it meets the surface; what leaves there is taken off the share. What
-// leaves where it meets the surface first is found elsewhere (boundary/single.comp.glsl), what leaves later is
-// `guided`: of each stretch all that gets to its end, though the path may end before. What thin parts mirror too often
-// collides in the middle of the last way across.
+// Goes on for a path's length, mirrored where it meets the surface; what leaves there is taken off the share.
+// boundary/single.comp.glsl finds what leaves at the first meeting. What leaves later is `guided`: on each stretch all
+// that gets to its end, though the path may end before. What thin parts mirror too often collides in the middle of the
+// last way across.
 vec4 collisionAfter(Body body, Way way, int channel, out Guided guided) {
   guided = Guided(0u, 0.0);
   float most = 0.0;
@@ -96,9 +98,10 @@ vec4 collisionAfter(Body body, Way way, int channel, out Guided guided) {
   return vec4(way.origin, 0.0);
 }
 
-// Light that collided at `place` with that share goes on by the phase function and as far as free paths go, by a lattice
-// of low discrepancy (Roberts 2018) in the axes of the cluster, so that it moves with that. Another shift for each
-// cluster and point, by such a lattice too, points half a step apart: what few directions miss, those beside have.
+// Light that collided at `place` with that share goes on by the phase function and as far as free paths go. A lattice
+// of low discrepancy (Roberts 2018) in the axes of the cluster says how, so that it moves with the cluster. A second
+// such lattice shifts it for each cluster and point, points half a step apart: what few directions miss, those beside
+// have.
 vec4 scatterOn(Body body, uint i, Path by, vec3 arrival, vec4 place, int channel, out Guided guided) {
   const vec2 next = vec2(0.7548776662, 0.5698402910);
   const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);

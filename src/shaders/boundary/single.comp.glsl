@@ -16,13 +16,13 @@ void addNode(uint index) {
   addNodeOf(node, powerOf(node));
 }
 
-// A cluster's normal decides, which has no expansion.
+// It depends on a cluster's normal, so has no expansion.
 void expandNode(uint index, vec3 middle) {
   addNode(index);
 }
 
 // The mean of the phase function over all directions of that cosine to the normal, for light that arrives at
-// another: four angles around, of which two are as two others.
+// the other cosine: four angles around, each of which stands for its mirror image too.
 float phaseAround(float cosine, float cosineOfArrival) {
   float across = sqrt(max((1.0 - cosine * cosine) * (1.0 - cosineOfArrival * cosineOfArrival), 0.0));
   float along = cosine * cosineOfArrival;
@@ -33,7 +33,7 @@ float phaseAround(float cosine, float cosineOfArrival) {
 }
 
 // The cluster's own light as from a disc at its depth: ½ ∫ p e^{-σ_t* z/μ} (1 - F_in) dμ, from the
-// cosine to the disc's edge to 1, here times 4π; Gauss, four points.
+// cosine to the disc's edge up to 1, here times 4π; Gauss, four points.
 float fromDisc(Cluster its, vec3 place, vec3 arrival, float extinction) {
   const float at[4] = float[4](0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
   const float weight[4] = float[4](0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);

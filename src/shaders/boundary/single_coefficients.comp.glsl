@@ -16,7 +16,7 @@ void putNode(BeamNode node, vec3 power) {
   addNodeOf(node, power);
 }
 
-// A cluster's normal decides, which has no expansion.
+// It depends on a cluster's normal, so has no expansion.
 void putPointsApart(uint cluster, vec3 middle) {
   putPoints(cluster);
 }

@@ -1,5 +1,5 @@
-// The fluence that points of light would give every cluster in a medium without end:
-// φˢ_i = Σ power e^{-σr} / 4πDr, r² = |x_i - y|² + ρ_i²/4.
+// The fluence that points of light would give every cluster in an infinite medium: φˢ_i = Σ power
+// e^{-σr} / 4πDr, r² = |x_i - y|² + ρ_i²/4.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

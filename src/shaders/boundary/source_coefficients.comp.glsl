@@ -1,5 +1,5 @@
-// What is kept for the sums of boundary/source.comp.glsl over what comes from everywhere: frames take several, of the
-// sky's light and of light that enters again.
+// What is kept for the sums of boundary/source.comp.glsl over light from everywhere. Frames take several such sums,
+// of the sky's light and of light that enters again.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

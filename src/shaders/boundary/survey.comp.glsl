@@ -1,4 +1,4 @@
-// Rays from every cluster that ask for nothing but the shape: inwards, how thick the body is, and
+// Rays from every cluster that depend on nothing but the shape: inwards, how thick the body is, and
 // outwards, what of the scene it sees.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -33,9 +33,9 @@ layout(push_constant) uniform Push {
   uint nodeCount;     // of all surfels' trees
 };
 
-// Part of the light that is followed to its second collision: where little of it scatters again,
-// diffusion from the first is too rough. Not where clusters are larger than some mean free paths:
-// light that leaves after one collision does so within a cluster's size there.
+// Part of the light that is followed to its second collision. Where little of it scatters again,
+// diffusion from the first collision is too rough. Clusters larger than some mean free paths need
+// none, since light that leaves after one collision does so within a cluster's size there.
 vec3 shareOfSecond(BoundaryMedium medium, float edge) {
   return (1.0 - whitenessOf(medium)) * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }
@@ -44,8 +44,8 @@ float transmittedInto(float eta, float cosine) {
   return 1.0 - fresnelReflectance(eta, cosine);
 }
 
-// The k-th of many directions about a normal, as dense as their cosine; `along` turns them. Of `shift`, in
-// [0, 1), one part turns them as well and the other goes through the heights of each.
+// The k-th of many directions about a normal, as dense as their cosine; `along` turns them. One part of
+// `shift`, in [0, 1), turns them as well; the other goes through the heights of each.
 vec3 cosineDirection(uint k, uint count, vec2 shift, vec3 normal, vec3 along) {
   const float golden = 2.39996322972865;
   float squared = (float(k) + shift.x) / float(count);
@@ -54,8 +54,8 @@ vec3 cosineDirection(uint k, uint count, vec2 shift, vec3 normal, vec3 along) {
   return sqrt(squared) * (cos(angle) * along + sin(angle) * across) + sqrt(1.0 - squared) * normal;
 }
 
-// Another one for each cluster, so that what the few rays of one miss those of its neighbours have
-// (the points are R₂, Roberts 2018).
+// A different shift for each cluster, so that what its few rays miss its neighbours' have (the
+// points are R₂, Roberts 2018).
 vec2 shiftOf(uint cluster) {
   return fract(float(cluster % 4096u) * vec2(0.7548776662, 0.5698402910));
 }
@@ -86,18 +86,18 @@ const float clustersTogether = 8.0;
 
 const float cosineOfSlant = 0.4;
 
-// Half of the rays go to bright parts of the sky, where it has some, and the others are as dense as the cosine. Each
-// counts as by the balance heuristic (Veach and Guibas 1995).
+// Half of the rays go to bright parts of the sky, where it has some; the others are as dense as the cosine. Each
+// counts by the balance heuristic (Veach and Guibas 1995).
 uint raysToBright() {
   return brightSky.light.y > 0.0 ? raysOutwards / 2u : 0u;
 }
 
-// Always the same for a cluster, so that nothing jumps while it moves. Those below its horizon are not sent.
+// Always the same for a cluster, so that nothing jumps while it moves. Rays below its horizon are not sent.
 vec3 brightDirection(uint k, uint count, float shift) {
   return brightSky.towards[min(uint((float(k) + shift) / float(count) * float(brightDirections)), brightDirections - 1u)].xyz;
 }
 
-// Of all rays of a cluster, per solid angle.
+// The density of all rays of a cluster, per solid angle.
 float densityOfRays(vec3 direction, float cosine) {
   uint bright = raysToBright();
   float density = float(raysOutwards - bright) / pi * max(cosine, 0.05);
@@ -107,18 +107,18 @@ float densityOfRays(vec3 direction, float cosine) {
   return density + float(bright) * above / brightSky.light.y;
 }
 
-// What rays outwards bring together.
+// Sums over rays outwards.
 struct SkySum {
   vec3 free;
-  vec3 all;       // of all rays, were they free
-  float freeEven;  // of even light
+  vec3 all;       // over all rays, as if they were free
+  float freeEven;  // for even light
   float allEven;
-  float slant;     // of free light, times its cosine inside
-  float nearness;  // one over how far away it is what rays meet, 1/mm
+  float slant;     // free light times its cosine inside
+  float nearness;  // one over the distance to what rays meet, 1/mm
   float meets;
 };
 
-// Of every `lanes`-th ray of the cluster, from `lane` on.
+// Sums every `lanes`-th ray of the cluster, from `lane` on.
 SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
@@ -133,12 +133,12 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
     if (range.kind == lining) continue;  // within a body
     bool isAboutNormal = k < aboutNormal;
-    uint kind = isAboutNormal ? aboutNormal : toBright;  // how many of it there are
+    uint kind = isAboutNormal ? aboutNormal : toBright;  // how many rays of it there are
     uint which = isAboutNormal ? k : k - aboutNormal;
-    // Each kind from all over the cluster.
+    // Each kind of ray comes from all over the cluster.
     PieceFrame place = frameOf(first + (2u * which + 1u) * count / (2u * kind), side);
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
-    // Turned in steps that do not go along with those over the cluster.
+    // Directions go in other steps than places over the cluster.
     vec3 direction = isAboutNormal
                          ? cosineDirection((which * 7u) % kind, kind, shiftOf(i), place.normal, place.along)
                          : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
@@ -191,7 +191,7 @@ float thicknessOf(RayHit through) {
   return through.piece == noPiece ? 1e18 : through.distance;
 }
 
-// How much the other side is parallel to a place and mirrors; what is opaque does not.
+// How nearly parallel to a place the other side is, if it mirrors; a lining does not.
 float parallelTo(PieceFrame place, vec3 aside, RayHit through, Cluster cluster, ObjectData body) {
   if (through.piece == noPiece || ranges[clusterOfSurfel[through.piece / piecesPerSurfel]].kind == lining) return 0.0;
   vec3 slanting = sqrt(1.0 - cosineOfSlant * cosineOfSlant) * aside - cosineOfSlant * place.normal;
@@ -199,7 +199,8 @@ float parallelTo(PieceFrame place, vec3 aside, RayHit through, Cluster cluster, 
   return min(cosineOfSlant * way / max(through.distance, 1e-30), 1.0);
 }
 
-// A sum over places all over the cluster. The last lanes, which have the fewest rays outwards, have them.
+// A sum over places all over the cluster. The last lanes take them, because they have the fewest rays
+// outwards.
 vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body) {
   if (range.kind != bodyWithInside) return vec3(0.0);
   uint first = range.firstSurfel * piecesPerSurfel;
@@ -216,18 +217,19 @@ vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body
   return sum;
 }
 
-// What is known of a cluster then. Without rays it sees all of the sky, and from within a body nothing.
+// Writes what is then known of a cluster. Without rays it sees all of the sky, and from within a body
+// nothing.
 void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofThickness, SkySum sum) {
   ObjectData body = objects[range.object];
   float mean = insideOf(body).sigma.w;
   bool looks = raysOutwards > 0u && range.kind != lining;
   float light = sum.free.r + sum.free.g + sum.free.b;
   float evenShare = sum.allEven > 0.0 ? sum.freeEven / sum.allEven : 0.0;
-  // Where it is dark in a channel, whatever the others do is right.
+  // Any share is right in a channel that is dark.
   vec3 share = mix(vec3(evenShare), overOr0(sum.free, sum.all), greaterThan(sum.all, vec3(1e-30)));
   if (!looks) share = vec3(raysOutwards > 0u ? 0.0 : 1.0);
   skyShares[i] = vec4(share, sum.all.r + sum.all.g + sum.all.b);
-  // Around what is opaque, the harmonic mean of how far away that is.
+  // For an opaque body, the harmonic mean distance to what is around.
   float room = looks ? (sum.meets > 0.0 ? sum.meets / sum.nearness : 3e38) : 0.0;
   clusters[i].start.w = range.kind == opaqueBody ? room : thickness;
   clusters[i].facet.w = light > 1e-30 ? sum.slant / light : mean;
@@ -248,7 +250,7 @@ void main() {
   sum = sumOfLanes(sum);
   vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
   ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
-  // So that what enters of even light is all of it, from wherever it comes.
+  // With this, all that can enter of even light does, from wherever it comes.
   float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
   if (isThere && raysToBright() > 0u)
     for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;

@@ -1,4 +1,4 @@
-// Takes positions from where the caller keeps them.
+// Takes positions from the caller's buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
@@ -7,7 +7,7 @@ layout(std430, set = 0, binding = 0) readonly buffer Given { float given[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Replaced { float replaced[]; };
 
 layout(push_constant) uniform Push {
-  uint offset;  // all in floats, or vertices
+  uint offset;  // in floats, as is the stride; the rest in vertices
   uint stride;
   uint first;
   uint count;

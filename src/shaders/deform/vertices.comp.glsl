@@ -14,7 +14,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Deltas { MorphDelta deltas[
 layout(std430, set = 0, binding = 4) readonly buffer Weights { float weights[]; };
 layout(std430, set = 0, binding = 5) readonly buffer FirstInfluence { uint firstInfluence[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Influences { JointInfluence influences[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Matrices { vec4 rows[]; };  // three a matrix
+layout(std430, set = 0, binding = 7) readonly buffer Matrices { vec4 rows[]; };  // three per matrix
 layout(std430, set = 0, binding = 8) readonly buffer Motions { ObjectMotion motions[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Replaced { float replaced[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer Positions { vec4 positions[]; };

@@ -1,4 +1,4 @@
-// Adds to what surfels have gathered the light of area lights, of which is visible what
+// Adds the light of area lights to what surfels have gathered, by the visibility that
 // soft_shadows.comp has found.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -34,10 +34,11 @@ void add(uint source, vec3 irradiance) {
   sources[source].flux.rgb += fluxThrough(sources[source].positionArea.w, irradiance);
 }
 
-// Of normals at points of a piece to that in its middle: within it, light that enters is a vector of the middle.
+// Cosine between normals at points of a piece and that in its middle. Above it, light that enters is a vector of
+// the middle.
 const float leastAgreement = 0.95;
 
-// At each of the piece's points.
+// The irradiance at each of the piece's points.
 vec3[pointsPerPiece] irradianceOn(uint piece) {
   PiecePlace place = placeOf(pieceAt(piece));
   vec2 middle = middleOf(place.corners);
@@ -68,7 +69,7 @@ vec3[pointsPerPiece] irradianceOn(uint piece) {
   return sums;
 }
 
-// The one that surfels.comp asks.
+// The piece that surfels.comp asks.
 uint largestPiece(uint first, uint end) {
   uint largest = end;
   float area = 0.0;

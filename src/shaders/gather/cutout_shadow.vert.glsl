@@ -1,4 +1,4 @@
-// As gather/shadow.vert.glsl, of surfaces with holes.
+// As gather/shadow.vert.glsl, for surfaces with holes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_VERTEX_ATTRIBUTES 2

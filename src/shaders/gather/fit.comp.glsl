@@ -1,5 +1,5 @@
 // Fits what the frame looks through to the box around the moved scene: every shadow map and the
-// camera's near plane. One invocation a light, and one for the camera.
+// camera's near plane. One invocation per light, and one for the camera.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/bounds.glsl"
@@ -86,7 +86,7 @@ void fitDirectional(uint light, Box box) {
   frame.lights[light].texel.x = max(x.y - x.x, y.y - y.x) / mapSize;
 }
 
-// Of as much as the tangent to either side.
+// Extends to the tangent on either side.
 mat4 perspectiveView(vec3 position, vec3 forward, float tangent, float near) {
   Basis basis = basisAlong(forward);
   return fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
@@ -115,7 +115,8 @@ void fitPoint(uint light, Box box) {
   frame.lights[light].texel.x = 2.0 * tangent / mapSize;
 }
 
-// What lies behind an orthographic camera is not seen. Its plane comes where the row for depth goes.
+// What lies behind an orthographic camera is not seen. Its plane arrives in the place of the row for
+// depth.
 void fitParallelCamera(Box box) {
   vec3 axis = frame.cameraAxis.xyz;
   float plane = frame.worldToClip[3][2];

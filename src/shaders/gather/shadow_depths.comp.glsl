@@ -1,5 +1,5 @@
-// What gather/shadow.vert.glsl does, of triangles drawn by invocations: depths of some shadow views, one map after the other,
-// as numbers of which the largest is the nearest.
+// What gather/shadow.vert.glsl does, for triangles drawn by invocations: depths of some shadow views, one map after the
+// other, as numbers of which the largest is the nearest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

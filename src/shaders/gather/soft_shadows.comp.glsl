@@ -1,6 +1,6 @@
-// What is visible of an area light from each piece of a surfel. Pieces that follow each other lie close together. Where
-// their first rays agree, they are enough; else some more are, if what these find changes evenly over the pieces, and
-// many more where it does not.
+// How much of an area light is visible from each piece of a surfel. Pieces that follow each other lie close together.
+// Where their first rays agree, these are enough. Elsewhere some more are, if what they find changes evenly over the
+// pieces; many more are sent where it does not.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -30,16 +30,17 @@ layout(push_constant) uniform Push {
 
 const uint neighbours = 16u;
 
-// Of a point.
+// Rays of a point.
 const uint someRays = 3u;
 const uint manyRays = 6u;
 
-// Of neighbours, whether some place sees the light, and whether some does not.
+// Whether some place of the neighbours sees the light, and whether some does not.
 const uint someSee = 1u;
 const uint someDoNot = 2u;
 shared uint found[gl_WorkGroupSize.x / neighbours];
 
-// The middle of a piece, mm, and what part of the light some rays have found there; below 0 where no light would come.
+// The middle of a piece, mm, and the part of the light that some rays have found there; below 0 where no light would
+// come.
 shared vec4 parts[gl_WorkGroupSize.x];
 const vec4 noPart = vec4(0.0, 0.0, 0.0, -1.0);
 
@@ -50,7 +51,7 @@ uint firstPieceOf(uint object) {
 Receiver receiverAt(PiecePlace place, ObjectData body, uint point) {
   vec3 position = positionAt(place, pointOf(place.corners, point));
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
-  // Of a sheet the side that the light is on.
+  // On a sheet, the side that the light is on.
   if (hasBack(body) && dot(outside, frame.lights[light].place.xyz - position) < 0.0) outside = -outside;
   return Receiver(position, outside, outside, mediumAt(body, position).boundary.x);
 }
@@ -64,8 +65,8 @@ uint askFirst(Receiver receiver, uint piece) {
   return share.visible > 0.0 ? someSee : someDoNot;
 }
 
-// Places on the light form a lattice that the points of a piece share, shifted for each piece: scattering then
-// takes the mean over neighbours. Asks those from `begin` to `end` of a point's.
+// Places on the light form a lattice that the points of a piece share, shifted for each piece; scattering then
+// takes the mean over neighbours. Tests a point's places from `begin` to `end`.
 void sendRays(Receiver receiver, uint piece, uint point, uint begin, uint end, inout Share share) {
   vec2 shift = fract(float(piece % 8192u) * vec2(0.8191725134, 0.6710436067));
   AreaView view = areaViewFrom(receiver.position, light);
@@ -73,7 +74,7 @@ void sendRays(Receiver receiver, uint piece, uint point, uint begin, uint end, i
     sendRay(view, receiver, fract(shift + latticePlace(pointsPerPiece * i + point)), nodeCount, share);
 }
 
-// The visible part around neighbours, as it changes evenly from one to another.
+// The visible part around neighbours, taken to change evenly from one to another.
 struct Slope {
   vec3 middle;  // mm
   float part;   // there
@@ -81,7 +82,7 @@ struct Slope {
   float variance;  // of what pieces have found
 };
 
-// By least squares. Neighbours may lie in a plane, or close to a line: what they do not tell is no change.
+// By least squares. Neighbours may lie in a plane, or close to a line; the slope is none across that.
 Slope slopeOf(uint first) {
   const float leastSpread = 0.01;
   Slope slope = Slope(vec3(0.0), 0.0, vec3(0.0), 0.0);
@@ -118,8 +119,8 @@ float partAt(Slope slope, vec3 place) {
   return clamp(slope.part + dot(slope.gradient, place - slope.middle), 0.0, 1.0);
 }
 
-// Whether pieces differ from it by no more than so few rays do: n rays of the lattice have a variance of
-// p (1 - p) / 3n behind a straight edge, and find no part smaller than 1/n.
+// Whether pieces differ from the slope by no more than so few rays do. n rays of the lattice have a
+// variance of p (1 - p) / 3n behind a straight edge, and find no part smaller than 1/n.
 bool isEven(Slope slope) {
   const float rays = float(pointsPerPiece * someRays);
   float expected = slope.part * (1.0 - slope.part) / (3.0 * rays) + 0.025 / (rays * rays);

@@ -36,7 +36,7 @@ layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
   uint keepsVisibility;  // 1: clusters read it
-  uint takesSky;         // 1: all of it; else none, which is added where it is known how much is seen
+  uint takesSky;         // 1: all of it; 0: none, which is added where it is known how much is seen
 };
 
 void put(uint source, vec3 position, float area, vec3 irradiance) {
@@ -49,13 +49,14 @@ void keep(float visible, uint light, uint piece, uint point) {
   visibilities[index] = before | packVisibility(visible, point);
 }
 
-// As a texture may have it.
+// The normal, as a texture may have it.
 vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
   vec3 normal = normalAt(place, at);
   return withNormals == 0u ? normal : tiltedNormal(piece, place.along, place.across, normal);
 }
 
-// The unit normal of a piece on the side that its triangle's corners go around, of a sheet on the light's.
+// The unit normal of a piece, on the side that its triangle's corners go around; of a sheet, on the
+// light's.
 vec3 keptSideOf(uint piece, PiecePlace place, IncidentLight light) {
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
   return hasBack(objects[pieceAt(piece).object]) && dot(outside, light.direction) < 0.0 ? -outside : outside;
@@ -65,7 +66,8 @@ float visibilityOn(vec3 position, vec3 outside, IncidentLight light) {
   return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
 }
 
-// In the middle, which stands for all of its points: pieces are small against a surfel of several.
+// Visibility in the middle stands for all of a piece's points, since pieces are small against a
+// surfel of several.
 void keepVisibility(uint piece) {
   PiecePlace place = placeOf(pieceAt(piece));
   vec3 position = positionAt(place, middleOf(place.corners));
@@ -76,7 +78,7 @@ void keepVisibility(uint piece) {
   }
 }
 
-// The irradiance at a point of the piece, and what is visible of each light there.
+// The irradiance at a point of the piece. It also keeps what is visible of each light there.
 vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   vec2 at = pointOf(place.corners, point);
   vec3 position = positionAt(place, at);
@@ -87,7 +89,8 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   for (uint k = 0u; k < lightsAt(position); ++k) {
     IncidentLight light = incidentLight(k, position);
     float part = enteringPart(light, normal, outside, medium);
-    // One call: a device that does both sides of every branch would look into the shadow map twice.
+    // One call, because a device that executes both sides of every branch would look into the
+    // shadow map twice.
     bool enters = part > 0.0 || keepsVisibility == 0u;
     float visible = visibilityOn(position, enters ? outside : keptSideOf(piece, place, light), light);
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
@@ -110,8 +113,8 @@ vec3 irradianceOn(uint piece, PiecePlace place, vec2 at) {
                         : lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
 }
 
-// Means over surfels would be off if all were asked at the same place among their sources (the
-// points are R₂, Roberts 2018).
+// A varied place, because means over surfels would be off if all were asked at the same place among
+// their sources (the points are R₂, Roberts 2018).
 vec2 somewhereOn(PiecePlace place, uint surfel) {
   vec2 at = fract(0.5 + float(surfel % 65536u) * vec2(0.7548776662, 0.5698402910));
   if (at.x + at.y > 1.0) at = 1.0 - at;
@@ -129,7 +132,7 @@ void gatherPiece(uint surfel) {
   places[surfel] = vec4(positionAt(place, somewhereOn(place, surfel)), 0.0);
 }
 
-// Each source stands for some of the pieces, the largest of which is asked what falls on it.
+// Each source stands for some of the pieces. The largest of these is asked what falls on it.
 void gatherPieces(uint surfel) {
   vec3 direction = vec3(0.0);
   vec3 middleOfAll = vec3(0.0);

@@ -1,4 +1,4 @@
-// The mean normal that a texture tells of each piece of a surfel, as lib/tilted_normal.glsl reads it.
+// The mean normal that a texture gives each piece of a surfel, as lib/tilted_normal.glsl reads it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -26,7 +26,7 @@ vec4 tiltOf(uint i, OpaqueData material) {
   told = unitOr(vec3(material.specularColor.w * told.xy, told.z), vec3(0.0, 0.0, 1.0));
   CornerTangents corners = tangents[triangleOfPiece[i]];
   vec2 middle = middleOf(cornersOf(piece));
-  // At rest they are of unit length.
+  // At rest the tangents are of unit length.
   vec2 tangent = (1.0 - middle.x - middle.y) * corners.first.xy + middle.x * corners.first.zw +
                  middle.y * corners.last.xy;
   float parts = length(tangent);

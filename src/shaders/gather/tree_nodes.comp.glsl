@@ -25,7 +25,7 @@ void fitNode(uint node, uint link) {
     mat3 centroids = centroidsOf(below);
     flux += f;
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * centroids[c];
-    middles += below.red;  // of all three, where there is no flux
+    middles += below.red;  // the same for all channels where there is no flux
     children += 1.0;
   }
   float all = flux.r + flux.g + flux.b;
@@ -33,7 +33,8 @@ void fitNode(uint node, uint link) {
   mat3 centroids;
   for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
 
-  // No source lies further than the furthest of any child may, nor than the box's furthest corner.
+  // No source lies further than the furthest of any child may, nor further than the box's furthest
+  // corner.
   float radius = 0.0;
   vec3 low = boxes[node + 1u].low.xyz;
   vec3 high = boxes[node + 1u].high.xyz;

@@ -21,7 +21,7 @@ struct Sender {
   float areaMm2;  // of the disc that the light entered through
 };
 
-// Its points, for light of that power.
+// The sender of that power.
 Sender senderOf(uint cluster, vec3 power) {
   uint beam = beamOf(cluster);
   uvec2 counts = unpackPointCounts(strengthOf(beam).w);

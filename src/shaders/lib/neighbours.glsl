@@ -24,8 +24,8 @@ ivec2 pixelOfWindow(ivec2 window, uint i, int width) {
   return window + ivec2(int(i) % width, int(i) / width);
 }
 
-// Pixels see one surface where the cosine of their normals is at least this, and the sine of the angle by which the way
-// between them leaves the surface is at most that.
+// Pixels see one surface from this cosine of their normals on, and up to this sine of the angle by which the way
+// between them leaves it.
 const float leastCosine = 0.9;
 const float mostOffPlane = 0.3;
 

@@ -24,23 +24,23 @@ NormalsNearby normalsNearby(ivec2 pixel, uint word, MeshPlace place) {
   return NormalsNearby(place.normal, right, down, max(length(right), length(down)));
 }
 
-// Of the surface's `samples`, that one's.
+// The normal at one of the surface's `samples`.
 vec3 normalAt(NormalsNearby normals, uint samples, int which) {
   vec2 offset = frame.samples[which].xy - middleOf(samples);
   return normalize(normals.middle + offset.x * normals.right + offset.y * normals.down);
 }
 
-// Those that see the surface.
+// The samples that see the surface.
 uint seeingOf(uint samples) {
   return samples & (1u << frame.counts.z) - 1u;
 }
 
-// Between light and camera. Where they are opposite, it is the normal.
+// The direction halfway between light and camera; the normal where they are opposite.
 vec3 halfway(vec3 normal, vec3 toLight, vec3 toCamera) {
   return normalize(toLight + toCamera + 1e-18 * normal);
 }
 
-// What a light's irradiance is reflected by, but for Fresnel's reflectance.
+// The factor by which a light's irradiance is reflected, without Fresnel's reflectance.
 float lobe(float alpha, vec3 normal, vec3 toLight, vec3 toCamera, out float cosineHalf) {
   float cosineIn = dot(normal, toLight);
   cosineHalf = clamp(dot(normal, halfway(normal, toLight, toCamera)), 0.0, 1.0);
@@ -49,20 +49,21 @@ float lobe(float alpha, vec3 normal, vec3 toLight, vec3 toCamera, out float cosi
          ggxVisibility(alpha, max(dot(normal, toCamera), 1e-3), cosineIn) * cosineIn;
 }
 
-// α² + θ²/4μ, for a disc of angular radius θ. What the lobe mirrors of such a disc, (θ²/4μ) / (α² + θ²/4μ) in the
-// highlight's middle, is what a lobe of that width mirrors of as much parallel light. `cosine` is μ, of light that is
-// mirrored there.
+// α widened to α² + θ²/4μ, for a disc of angular radius θ. In the highlight's middle a lobe mirrors (θ²/4μ) / (α² +
+// θ²/4μ) of such a disc, which is what one of that width mirrors of as much parallel light. `cosine` is μ, that of
+// the mirrored light.
 float widenedBy(uint light, float alpha, float cosine) {
   float more = frame.lights[light].place.w;
   return more > 0.0 ? min(sqrt(alpha * alpha + more / max(cosine, 1e-3)), 1.0) : alpha;
 }
 
-// Parts of the lobe's width. Normals that turn by less within a pixel are one, and further than that
-// from the mirrored direction the lobe is smooth.
+// In parts of the lobe's width. Normals that turn by less than the first within a pixel are one;
+// further than the second from the mirrored direction the lobe is smooth.
 const float leastTurn = 0.1;
 const float widthOfLobe = 4.0;
 
-// At all samples where the highlight is sharp, since it may be narrower than a pixel.
+// The lobe, as a mean over samples where the highlight is sharp, since it may be narrower than a
+// pixel.
 float lobeOfSamples(float alpha, NormalsNearby normals, uint samples, vec3 toLight, vec3 toCamera) {
   float cosineHalf;
   float value = lobe(alpha, normals.middle, toLight, toCamera, cosineHalf);

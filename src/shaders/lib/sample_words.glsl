@@ -1,4 +1,5 @@
-// What scatter/nearest_triangles.comp.glsl leaves of every sample: the first triangle has the largest number, and 0 is none.
+// What scatter/nearest_triangles.comp.glsl leaves for every sample: the first triangle has the largest number, and 0 is
+// none.
 #ifndef OPALINE_LIB_SAMPLE_WORDS
 #define OPALINE_LIB_SAMPLE_WORDS
 
@@ -10,7 +11,7 @@ uint wordOfTriangle(uint triangle) {
   return ~triangle;
 }
 
-// Plus one; 0 of none.
+// Plus one, or 0 for none.
 uint triangleOfWord(uint word) {
   return word == 0u ? 0u : ~word + 1u;
 }

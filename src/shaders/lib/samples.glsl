@@ -11,12 +11,12 @@ uint samplesOf(uint word) {
   return word >> seenSamplesShift;
 }
 
-// Clip space over w at that place of a picture, from the pixel's centre, pixels.
+// Clip space over w at a place of a picture, in pixels from the pixel's centre.
 vec2 clipAt(ivec2 pixel, ivec2 size, vec2 place) {
   return 2.0 * (vec2(pixel) + 0.5 + place) / vec2(size) - 1.0;
 }
 
-// In the midst of these samples. That of all is the pixel's centre.
+// The middle of these samples. That of all is the pixel's centre.
 vec2 middleOf(uint samples) {
   if (samples == everySample) return vec2(0.0);
   vec2 sum = vec2(0.0);

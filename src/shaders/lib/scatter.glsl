@@ -6,7 +6,7 @@
 
 layout(constant_id = 0) const uint transport = 0u;  // 0: dipole, 1: better dipole
 
-// Of a distance for each channel, squared.
+// Takes a squared distance for each channel.
 vec3 reflectanceProfile(Profile profile, vec3 squaredMm2) {
   return transport == 0u ? dipoleProfile(profile, squaredMm2)
                          : betterDipoleProfile(profile, squaredMm2);

@@ -10,12 +10,12 @@ uint seenWord(ivec2 pixel, uint layer) {
   return texelFetch(seenWords, ivec3(pixel, layer), 0).r;
 }
 
-// Clip space over w, so far from the pixel's centre.
+// Clip space over w, at `place` from the pixel's centre.
 vec2 seenClip(ivec2 pixel, vec2 place) {
   return clipAt(pixel, textureSize(seenWords, 0).xy, place);
 }
 
-// Where the surface is looked at: in the midst of the samples that see it.
+// The surface is looked at in the middle of the samples that see it.
 MeshPlace seenPlace(ivec2 pixel, uint word) {
   return placeOn(triangleOf(word), seenClip(pixel, middleOf(samplesOf(word))));
 }

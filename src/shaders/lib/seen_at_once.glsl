@@ -1,6 +1,6 @@
-// What scatter/seen.comp.glsl does, of samples that were drawn at once. A pixel's first word without a surface ends them.
-// Needs, before it, `words`, `samples`, `firstRow`, lib/mixed.glsl, lib/tile.glsl, and of a pixel's samples the triangles
-// that they see, plus one:
+// What scatter/seen.comp.glsl does, for samples that were drawn at once. The first word without a surface ends those of
+// a pixel. Needs, before it, `words`, `samples`, `firstRow`, lib/mixed.glsl, lib/tile.glsl, and the triangles that a
+// pixel's samples see, plus one:
 //   uint drawnAt(ivec2 pixel, uint which)
 #ifndef OPALINE_LIB_SEEN_AT_ONCE
 #define OPALINE_LIB_SEEN_AT_ONCE

@@ -8,8 +8,8 @@ layout(std430, set = 0, binding = BINDING_SEEN_LIST) readonly buffer SeenList { 
 layout(std140, set = 0, binding = BINDING_SEEN_LIST + 1) uniform SeenCounts { SeenCount seenCount; };
 
 struct Seen {
-  bool there;  // else it is none, and the rest is of some other
-  uint entry;  // in the list, and of what is kept for each surface
+  bool there;  // false: no surface, and the rest belongs to another
+  uint entry;  // index in the list, and in what is kept for each surface
   ivec2 pixel;
   uint word;
 };
@@ -26,7 +26,7 @@ Seen seenOfEntry(uint entry) {
   return Seen(true, entry, pixel, seenWord(pixel, listed >> seenLayerShift));
 }
 
-// The i-th of the list, if there are as many.
+// The i-th of the list, if it has that many.
 Seen seenAt(uint i) {
   bool there = i < seenCount.groupsEntries.w && seenList[i] != noSurface;
   Seen seen = seenOfEntry(there ? i : 0u);
@@ -34,7 +34,7 @@ Seen seenAt(uint i) {
   return seen;
 }
 
-// Whether it is the first that its pixel sees.
+// Whether it is the first surface that its pixel sees.
 bool isFirstSurface(Seen seen) {
   return seenList[seen.entry] >> seenLayerShift == 0u;
 }

@@ -5,7 +5,7 @@
 #include "lib/opaque_material.glsl"
 #include "lib/seen_list.glsl"
 
-// How far weights may go from a triangle over a pixel, where it is seen edge on.
+// How far weights may change over a pixel where a triangle is seen edge on.
 const float furthestOverPixel = 64.0;
 
 MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place, OpaqueData material) {
@@ -19,7 +19,7 @@ MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place, OpaqueData material)
                          clamp(down, -furthestOverPixel, furthestOverPixel));
 }
 
-// The normal there as the texture tells it, on the side that is seen.
+// The normal that the texture gives there, on the side that is seen.
 struct SeenNormal {
   vec3 normal;
   float widened;  // see mappedNormal
@@ -35,7 +35,7 @@ SeenNormal mappedNormalAt(Seen seen, MeshPlace place, OpaqueData material, Mater
   return mapped;
 }
 
-// What it turns away from the eye would be black.
+// A normal turned away from the eye would be black.
 SeenNormal mappedNormalSeen(Seen seen, MeshPlace place, OpaqueData material, MaterialPlace read) {
   SeenNormal mapped = mappedNormalAt(seen, place, material, read);
   vec3 toCamera = normalize(toCameraFrom(place.position));

@@ -14,7 +14,7 @@ uint cubeFace(vec3 direction) {
   return direction.z > 0.0 ? 4u : 5u;
 }
 
-// Depth 0 is where nothing casts a shadow. What takes one may lie beyond all that does.
+// Depth 0 is where nothing casts a shadow. What receives one may lie beyond all that casts one.
 float shadowDepthMm(LightData light, float depth) {
   return isParallel(light.kind.x) ? light.depth.x + light.depth.y * depth
                                   : light.depth.x / (light.depth.y + depth);
@@ -26,10 +26,10 @@ vec4 litAt(LightData light, vec4 depths, float receiverMm) {
   return lit;
 }
 
-// What the depth of a plane changes by from one point of the light's view to the next, relative to
-// the distance of the two. Cube faces hold depth along their axis: a plane that faces a point light
-// has a slope there too, away from the axis. With z(d) = const / n·d for rays d = (u, v, 1),
-// |∇z| = z |n_uv| / |n·d|.
+// How the depth of a plane changes from one point of the light's view to the next, relative to
+// their distance. Cube faces hold depth along their axis, so a plane that faces a point light away
+// from that axis has a slope too. With z(d) = const / n·d for rays d = (u, v, 1), |∇z| = z |n_uv| /
+// |n·d|.
 float depthSlope(LightData light, vec3 toLight, vec3 normal) {
   float alongAxis = dot(normal, toLight);
   float facing = alongAxis;
@@ -48,13 +48,12 @@ float depthSlope(LightData light, vec3 toLight, vec3 normal) {
 
 // Percentage-closer filtering (Reeves et al. 1987) over a box of 3×3 texels, continuous in the
 // position of the receiver. The bias is what the slope of the surface makes of the way to the
-// furthest texel that is read, 2√2 texels, so it stays a few shadow texels whatever the size of the
-// object.
+// furthest texel read, 2√2 texels. So it stays a few shadow texels whatever the size of the object.
 float visibilityOf(IncidentLight incident, vec3 position, vec3 normal) {
   LightData light = frame.lights[incident.light];
   bool parallel = isParallel(incident.kind);
   vec3 toLight = parallel ? light.place.xyz : light.place.xyz - position;
-  if (!parallel && incident.irradiance == vec3(0.0)) return 0.0;  // perhaps beside its only view
+  if (!parallel && incident.irradiance == vec3(0.0)) return 0.0;  // it may lie beside its only view
   uint layer = light.kind.y + (hasOneView(light) ? 0u : cubeFace(-toLight));
 
   vec4 clip = frame.shadowViews[layer] * vec4(position, 1.0);

@@ -26,8 +26,8 @@ float leaving(float cosine) {
              : 2.0 * eta * cosine * outside * (across * across + along * along) / (both * both);
 }
 
-// Places near the surface are smoothed over the cluster, the cosine as well as the distance, and the
-// way is what the depth makes of that cosine: with z² + s for z² in both, all light from a depth z
+// Places near the surface are smoothed over the cluster, in the cosine as well as the distance. The
+// way follows from the depth and that cosine. With z² + s for z² in both, all light from a depth z
 // that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the
 // smoothing s.
 float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uint target) {
@@ -42,8 +42,8 @@ float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uin
   return light * phaseOverEven(dot(direction, arrival), medium.collision.w);
 }
 
-// Of light that entered through a disc of that radius, over both discs: on the other side of a thin
-// part it lies just below clusters that are no nearer to each other.
+// For light that entered through a disc of that radius, smoothed over both discs: on the other side
+// of a thin part it lies just below clusters that are no nearer to each other.
 vec3 fromPlaces(BeamPoint point, vec3 arrival, float radiusMm, uint target) {
   float radius = targetNormals[target].w;
   float smoothing = 0.5 * (radius * radius + radiusMm * radiusMm);
@@ -59,7 +59,7 @@ void addNodeOf(BeamNode node, vec3 power) {
     tileLight[t] += power * fromPlaces(middle, node.across.xyz, 0.0, t);
 }
 
-// With light of that power.
+// Adds points for that power.
 void addPoints(uint cluster, vec3 strength) {
   uint beam = beamOf(cluster);
   uint count = unpackPointCounts(strengthOf(beam).w).x;

@@ -7,10 +7,10 @@
 #ifdef BINDING_SKY_RADIANCE
 layout(set = 0, binding = BINDING_SKY_RADIANCE) uniform samplerCubeArray skyRadiance;
 
-// Mean around a direction, over so much of the sphere.
+// The mean around a direction, over that solid angle.
 vec3 skyRadianceFrom(vec3 direction, float solidAngle) {
   float edge = float(textureSize(skyRadiance, 0).x);
-  float texel = 2.0943951 / (edge * edge);  // sr, a sixth of the sphere by their number
+  float texel = 2.0943951 / (edge * edge);  // sr, a sixth of the sphere over a face's texels
   return textureLod(skyRadiance, vec4(direction, 0.0), max(0.5 * log2(solidAngle / texel), 0.0)).rgb;
 }
 #endif
@@ -18,7 +18,7 @@ vec3 skyRadianceFrom(vec3 direction, float solidAngle) {
 #ifdef BINDING_SKY_IRRADIANCE
 layout(set = 0, binding = BINDING_SKY_IRRADIANCE) uniform samplerCubeArray skyIrradiance;
 
-// That enters, where nothing is in the way (Gong et al. 2008, Eq. 9).
+// What enters where nothing is in the way (Gong et al. 2008, Eq. 9).
 vec3 skyIrradianceAt(vec3 normal, MediumData medium) {
   return textureLod(skyIrradiance, vec4(normal, float(medium.tables.x)), 0.0).rgb;
 }

@@ -2,6 +2,6 @@
 #ifndef OPALINE_LIB_SKY_BLOCK
 #define OPALINE_LIB_SKY_BLOCK
 
-const float unknownShare = -1.0;  // they are no part of one surface, or mirror too sharply
+const float unknownShare = -1.0;  // the pixels are not of one surface, or mirror too sharply
 
 #endif

@@ -1,4 +1,4 @@
-// Rays of what translucent surfaces mirror of the sky towards the camera. Needs, before it,
+// Rays for what translucent surfaces mirror of the sky towards the camera. Needs, before it,
 // lib/frame.glsl, lib/bodies.glsl, and what lib/rays.glsl needs.
 #ifndef OPALINE_LIB_SKY_RAYS
 #define OPALINE_LIB_SKY_RAYS
@@ -22,7 +22,7 @@ const uint rayMeets = 0u;
 const uint rayIsFree = 1u;
 const uint noRay = 2u;  // it would enter the surface
 
-// What mirrors: how rough it is, and which way it faces.
+// How rough a mirroring surface is, and which way it faces.
 struct Mirror {
   float alpha;
   vec3 normal;
@@ -32,7 +32,7 @@ uint raysOfSample(float itsAlpha) {
   return uint(skyRaysOfSample(itsAlpha));
 }
 
-// The i-th of `count` rays of the lobe at a place.
+// Sends the i-th of `count` rays of the lobe at a place.
 uint reflectedRay(uint i, uint count, MeshPlace place, Mirror mirror) {
   vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
   if (direction == vec3(0.0)) return noRay;

@@ -58,9 +58,9 @@ mat3 turnLessIdentity(vec4 q) {
                     vec3(q.x * q.z + q.w * q.y, q.y * q.z - q.w * q.x, -d.x - d.y));
 }
 
-// Nearer to the rotation in F = 1 + f, from one that is near: a step of Newton's for the largest
-// tr RᵀF, and where that is not the way to it, the shorter one of Müller et al. 2016, Eq. 7. Never a
-// reflection, so that a cell that was turned inside out finds back. A rotation that lags behind would
+// A rotation nearer to that in F = 1 + f, from one that is near: a Newton step for the largest tr RᵀF
+// or, where that does not lead there, the shorter step of Müller et al. 2016, Eq. 7. It is never a
+// reflection, so that a cell that was turned inside out recovers. A rotation that lags behind would
 // brake every turn.
 vec4 nearerTurn(vec4 q, mat3 f) {
   mat3 r = turnLessIdentity(q);
@@ -116,8 +116,8 @@ void shearBack(vec3 c[8], vec4 turn, float shear, out vec3 moved[8]) {
 }
 
 // How a cell's corners, shifted by `x` from rest, are moved by its shear and its volume; follows its
-// rotation. `lightness` is a corner's inverse mass. The step of one constraint with its multiplier from
-// 0: Macklin et al. 2016, Eq. 18.
+// rotation. `lightness` is a corner's inverse mass. This is the step of one constraint whose multiplier
+// starts at 0: Macklin et al. 2016, Eq. 18.
 void relaxCell(inout vec3 x[8], float lightness[8], inout vec4 turn, float shear, float compliance) {
   vec3 c[8] = x;
   toModes(c);

@@ -1,17 +1,16 @@
-// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself: from
-// the inner products what makes the last product orthogonal to the basis (Gram and Schmidt), and the
-// residual by Givens rotations. A part of boundary/product.comp.glsl, which has `states`, of tiles `sums`, and
-// the push constants.
+// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself. Inner
+// products make the last product orthogonal to the basis (Gram and Schmidt), and Givens rotations give the
+// residual. A part of boundary/product.comp.glsl, which has `states`, `sums` of tiles, and the push constants.
 #ifndef OPALINE_LIB_SOLVER_STEP
 #define OPALINE_LIB_SOLVER_STEP
 #include "lib/over_or_0.glsl"
 
-// What is left of a vector, relative to what it was and squared, when rounding may have made it: some
-// roundings of sums of single precision.
+// Below this, what is left of a vector, relative to what it was and squared, may come from rounding:
+// some roundings of sums of single precision.
 const float leastLeft2 = 1.0 / float(1u << 21u);
 
-// Of inner products, over the tiles that each subgroup has.
-shared vec3 totals[maxSolverSteps + 1u][invocationsOfTile / 4u];  // of subgroups of 4 at least
+// Inner products over the tiles that each subgroup has.
+shared vec3 totals[maxSolverSteps + 1u][invocationsOfTile / 4u];  // for subgroups of at least 4
 // The rotations so far.
 shared vec3 cosines[maxSolverSteps];
 shared vec3 sines[maxSolverSteps];
@@ -53,9 +52,9 @@ void start(vec3 norm, vec3 scale) {
   orderNextStep(norm);
 }
 
-// The column of the Hessenberg matrix, which is the projections, under all rotations, and the one it adds.
-// Where nothing but rounding is left of the vector, no larger than `hidden`, there is no next one, and that
-// is as much as is known of the residual.
+// Writes the column of the Hessenberg matrix, which is the projections under all rotations, and adds its
+// own rotation. Where rounding alone is left of the vector, no more than `hidden`, there is no next one,
+// and no more is known of the residual.
 void rotate(vec3 left, vec3 hidden) {
   uint last = step - 1u;
   uint column = last * (maxSolverSteps + 1u);
@@ -83,7 +82,7 @@ void rotate(vec3 left, vec3 hidden) {
   orderNextStep(mix(residual, vec3(0.0), lessThanEqual(left, vec3(0.0))));
 }
 
-// After putTotals(), by one invocation.
+// One invocation calls it after putTotals().
 void endStep() {
   vec3 all2 = total(step);
   vec3 entered = step == 0u ? sqrt(total(1u)) : vec3(0.0);

@@ -2,7 +2,7 @@
 #ifndef OPALINE_LIB_SOURCE_FLUX
 #define OPALINE_LIB_SOURCE_FLUX
 
-// Less flux is none: sums of it would not be normal numbers.
+// Less flux counts as none, because sums of it would not be normal numbers.
 const float leastFlux = 1e-30;
 
 vec3 fluxThrough(float areaMm2, vec3 irradiance) {

@@ -15,15 +15,15 @@ vec3 fluxOf(uint source) {
   return texelOf(sources, 2 * int(source) + 1).rgb;
 }
 
-// The same bits in every shader: each source is on one side of the reach.
+// The same bits in every shader, so that each source is on one side of the reach.
 float squaredDistanceTo(vec3 place, vec3 position) {
   precise vec3 offset = place - position;
   precise float squared = dot(offset, offset);
   return squared;
 }
 
-// Those of surfels first .. end - 1 that lie no nearer than the reach, mm; lib/nearby.glsl has the
-// others. The fourth component counts evaluations of the profile.
+// The sum over surfels first .. end - 1 of sources that lie no nearer than the reach, mm;
+// lib/nearby.glsl has the others. The fourth component counts evaluations of the profile.
 vec4 surfelSum(vec3 position, Profile profile, float reach, uint first, uint end) {
   vec4 sum = vec4(0.0);
   for (uint i = sourcesPerSurfel * first; i < sourcesPerSurfel * end; ++i) {
@@ -34,7 +34,7 @@ vec4 surfelSum(vec3 position, Profile profile, float reach, uint first, uint end
   return sum;
 }
 
-// The same of those that belong to the object.
+// The same for surfels that belong to the object.
 vec4 surfelSumOf(vec3 position, ObjectData body, uint first, uint end) {
   first = max(first, body.table.y);
   end = min(end, body.table.y + body.table.z);

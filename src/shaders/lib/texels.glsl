@@ -1,5 +1,5 @@
-// Tables of four floats that a shader reads and nobody writes meanwhile. A software device reads them fastest as
-// texels, others as storage: where STORAGE is defined, and where RAY_QUERIES is.
+// Tables of four floats that a shader reads while nobody writes them. A software device reads them fastest as
+// texels, others as storage: where STORAGE or RAY_QUERIES is defined.
 #ifndef OPALINE_LIB_TEXELS
 #define OPALINE_LIB_TEXELS
 

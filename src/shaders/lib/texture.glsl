@@ -6,7 +6,7 @@
 
 layout(std430, set = 0, binding = BINDING_TEXELS) readonly buffer Texels { uvec2 texels[]; };
 
-// A place on a surface in the mesh's coordinates, and how far it goes over a pixel.
+// A place on a surface in the mesh's coordinates, and how far these change over a pixel.
 struct TexturePlace {
   vec2 at;
   vec2 right;
@@ -22,7 +22,7 @@ int wrapped(int at, int size, uint wrap) {
   return at < size ? at : 2 * size - 1 - at;
 }
 
-// Of a texture's bits.
+// Wraps by a texture's bits.
 uint wrapU(uint bits) {
   return bits & 3u;
 }
@@ -54,7 +54,7 @@ vec4 textureAtLevel(uvec4 place, vec2 at, float level) {
   uint first = place.x;
   ivec2 size = ivec2(place.y & 0xffffu, place.y >> 16u);
   level = clamp(level, 0.0, float(place.z - 1u));
-  // As often for all: where each invocation went round as often as it needed, those of a subgroup got each
+  // All go round equally often. With as many rounds as each needs, invocations of a subgroup get each
   // other's levels on Mesa's software device.
   for (uint l = 0u; l + 1u < mostTextureLevels; ++l) {
     bool below = l < uint(level);
@@ -70,7 +70,7 @@ vec4 textureAtLevel(uvec4 place, vec2 at, float level) {
 
 const float mostProbes = 8.0;
 
-// Where coordinates are far out, their whole part says nothing but which tile it is.
+// Takes off pairs of whole tiles, which say nothing but how far out coordinates are.
 vec2 near0(vec2 at, uint bits) {
   vec2 tile = 2.0 * floor(0.5 * at);
   return at - vec2(wrapU(bits) == 2u ? 0.0 : tile.x, wrapV(bits) == 2u ? 0.0 : tile.y);

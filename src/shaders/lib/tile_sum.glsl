@@ -3,7 +3,7 @@
 #define OPALINE_LIB_TILE_SUM
 #include "lib/cluster_tile.glsl"
 
-shared vec3 tileTerms[invocationsOfTile / 4u][maxClustersOfTile];  // of subgroups: of 4 at least
+shared vec3 tileTerms[invocationsOfTile / 4u][maxClustersOfTile];  // for subgroups of at least 4
 
 // Every invocation of the group calls it for each of the clusters.
 void addToTile(uint target, vec3 term) {
@@ -11,7 +11,7 @@ void addToTile(uint target, vec3 term) {
   if (subgroupElect()) tileTerms[gl_SubgroupID][target] = sum;
 }
 
-// After that; for the invocations that there are clusters for.
+// Every invocation calls it after that; those without a cluster get 0.
 vec3 sumOfTile(uint target) {
   barrier();
   vec3 sum = vec3(0.0);

@@ -2,16 +2,16 @@
 #ifndef OPALINE_LIB_TOLERANCE
 #define OPALINE_LIB_TOLERANCE
 
-// A channel much darker than another is not asked for more than the eye could tell.
+// A channel much darker than another need not be more exact than the eye can tell.
 const float leastOfBrightest = 0.05;
 
-// The error of one node, where it is about as bright as `exitance`.
+// The error tolerated of one node where it is about as bright as `exitance`.
 vec3 toleratedAt(vec3 exitance, float tolerance) {
   float brightest = max(max(exitance.r, exitance.g), exitance.b);
   return tolerance * max(exitance, vec3(leastOfBrightest * brightest));
 }
 
-// The same, or all where there is no estimate of it.
+// The same, or any error where there is no estimate.
 vec3 toleratedIn(vec3 estimate, float tolerance, bool estimated) {
   return estimated ? toleratedAt(estimate, tolerance) : vec3(3e38);
 }

@@ -3,7 +3,7 @@
 #define OPALINE_LIB_TREE_NODE
 #include "shared/surfels.h"
 
-// Where a walk through the tree has nothing more to do.
+// The node of a walk that has nothing more to do.
 const uint noNode = 0xffffffffu;
 
 bool isLeaf(uint link) {

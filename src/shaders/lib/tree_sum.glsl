@@ -1,9 +1,9 @@
 // The sum of sources (Eq. 8) over the tree of surfels. Needs, before it, BINDING_NODES and
 // what lib/surfel_sum.glsl needs.
 //
-// A node stands for its surfels up to their second moments: for flux F about a centroid at the
-// offset o, with s = o·o and mean moments M, F (f + f' tr M + 2 f'' oᵀM o), where f(s) is the
-// profile. What is left out decides whether the node is taken or opened.
+// A node stands for its surfels up to their second moments. For flux F about a centroid at the
+// offset o, with s = o·o, mean moments M and the profile f(s), it gives F (f + f' tr M + 2 f'' oᵀM
+// o). What is left out decides whether the node is taken or opened.
 #ifndef OPALINE_LIB_TREE_SUM
 #define OPALINE_LIB_TREE_SUM
 #include "lib/darkest.glsl"
@@ -14,11 +14,13 @@
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
-// A node is opened nearer than this many of its radii, squared: there the series would not converge.
+// A node is opened nearer than this many of its radii, squared, because the series would not
+// converge there.
 const float nearestInRadii2 = 2.0;
 
-// The first term left out that does not cancel in a node whose surfels lie evenly about its
-// centroid is of fourth order, F g⁴ f⁗/24 with the mean square g²; of that, this much.
+// In a node whose surfels lie evenly about its centroid, the first term left out that does not
+// cancel is of fourth order, F g⁴ f⁗/24 with the mean square g². This much of it counts as the
+// error.
 const float neglectedPart = 1.0;
 
 Derivatives profileDerivatives(Profile profile, vec3 squaredMm2) {
@@ -44,24 +46,25 @@ vec3 squaredDistances(TreeNode node, vec3 position) {
   return vec3(dot(red, red), dot(green, green), dot(blue, blue));
 }
 
-// What is below a node and no nearer than the reach, at most, counts for nothing where it is below
-// this part of what is tolerated.
+// What is below a node and no nearer than the reach counts for nothing where it is at most this
+// part of what is tolerated.
 const float negligiblePart = 0.1;
 
-// Squared distance that no source below a node is nearer than, mm².
+// No source below a node is nearer than this squared distance, mm².
 float nearestSquare(vec3 squared, float radius) {
   float nearest = max(sqrt(leastOf(squared)) - radius, 0.0);
   return nearest * nearest;
 }
 
-// Where nothing beyond the reach of coarse sources could be seen, no node is opened to find it.
+// No node is opened to find what nobody could see beyond the reach of coarse sources.
 bool isNegligible(TreeNode node, vec3 squared, Profile profile, float reach, vec3 tolerated) {
   float nearest = max(nearestSquare(squared, node.radius), reach * reach);
   vec3 most = node.flux * reflectanceProfile(profile, vec3(nearest));
   return all(lessThanEqual(most, negligiblePart * tolerated));
 }
 
-// Adds a node to the sum and says so, or does not where that could be off by more than tolerated.
+// Adds a node to the sum and returns true, or returns false where that could be off by more than
+// tolerated.
 bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 tolerated,
               inout vec4 sum) {
   vec3 squared = squaredDistances(node, position);
@@ -84,11 +87,11 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
   return true;
 }
 
-// The invocations of a subgroup go through the tree in step, each taking part in the nodes it has
-// itself to look at: what one finds does not depend on its neighbours. Those with nothing to sum
-// call it with noNode as root. `tolerated` is of each node. The fourth component counts evaluations
-// of the profile. Leaves are opened outside the walk: a device that does both sides of every branch
-// would evaluate a source at each node.
+// The invocations of a subgroup go through the tree in step, but each takes part only in the nodes
+// it has itself to look at, so that what it finds does not depend on its neighbours. Those with
+// nothing to sum call it with noNode as root. `tolerated` is per node. The fourth component counts
+// evaluations of the profile. Leaves are opened outside the walk, because a device that executes
+// both sides of every branch would evaluate a source at each node.
 vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, vec3 tolerated) {
   vec4 sum = vec4(0.0);
   uint next = root;
@@ -114,7 +117,7 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
   return sum;
 }
 
-// The profile for a rough sum: what coarse sources lack is spread over their reach.
+// The profile for a rough sum, in which what coarse sources lack is spread over their reach.
 vec3 roughProfile(ObjectData body, Profile profile, float squared) {
   float reach2 = max(body.darkest.w * body.darkest.w, 1e-30);
   vec3 lacking = body.nearbyDisc.rgb + body.nearbyInner.rgb + body.nearbyOuter.rgb;
@@ -122,8 +125,8 @@ vec3 roughProfile(ObjectData body, Profile profile, float squared) {
          lacking * exp(-squared / reach2) / (pi * reach2);
 }
 
-// A node further across than this, in the longest diffusion lengths, does not count as if it lay in
-// its middle.
+// A node further across than this, in the longest diffusion lengths, does not count as if it all
+// lay in its middle.
 const float widestInLengths = 2.0;
 
 bool isWide(TreeNode node, ObjectData body, Profile profile) {
@@ -132,9 +135,9 @@ bool isWide(TreeNode node, ObjectData body, Profile profile) {
          body.darkest.w > 0.0 && node.radius > body.darkest.w;
 }
 
-// About how bright a place is, by some thirty evaluations: nodes outside their radius and leaves
-// count as if all their flux lay as far away as it does in the mean square. Wide ones must be
-// opened: most of what they give comes from their nearest end.
+// About how bright a place is, by some thirty evaluations. Leaves, and nodes seen from outside
+// their radius, count as if all their flux lay at its mean square distance. Wide nodes must be
+// opened, because most of what they give comes from their nearest end.
 vec3 roughSum(vec3 position, ObjectData body, uint root, Profile profile) {
   vec3 sum = vec3(0.0);
   vec3 darkest = darkestOf(body, root);

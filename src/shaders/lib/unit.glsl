@@ -1,4 +1,4 @@
-// Directions that may have no length.
+// Directions of vectors that may be zero.
 #ifndef OPALINE_LIB_UNIT
 #define OPALINE_LIB_UNIT
 

@@ -1,4 +1,4 @@
-// Light at vertices: first that of all of them, then, where some bodies have a back, that of the other side of all. Needs
+// Light at vertices: first at all of them, then, where some bodies have a back, at the other side of all. Needs
 // lib/bodies.glsl.
 #ifndef OPALINE_LIB_VERTEX_SIDE
 #define OPALINE_LIB_VERTEX_SIDE

@@ -19,8 +19,8 @@ float distanceToPlanar(LightData light, vec3 from, vec3 direction) {
   return inside && along > 0.0 ? along : notMet;
 }
 
-// To the near side of a round light, whose middle is nearest to the line `along` it and `aside` of it;
-// `slant` is the part of the way that goes across the light.
+// Distance to the near side of a round light, whose middle is nearest to the line at `along` it and
+// `aside` of it. `slant` is the part of the way that goes across the light.
 float distanceToRound(float along, float aside, float slant, float radius) {
   if (aside >= radius) return notMet;
   float near = along - sqrt(radius * radius - aside * aside) / slant;
@@ -46,7 +46,7 @@ float distanceToTube(LightData light, vec3 from, vec3 direction) {
   return abs(dot(near * direction - offset, axis)) <= reach ? near : notMet;
 }
 
-// Infinity where none is met; else its radiance is set.
+// Infinity where no light is met; else its radiance is set.
 float distanceToLights(vec3 from, vec3 direction, out vec3 radiance) {
   float nearest = uintBitsToFloat(0x7f800000u);
   radiance = vec3(0.0);

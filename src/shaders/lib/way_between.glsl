@@ -1,6 +1,6 @@
 // The medium between a tile and a node that acts on it, where bodies may be of several media: the mean of
-// those at either end. Needs, before it, BINDING_NODE_OBJECTS, the number CONSTANT_SEVERAL_MEDIA of a
-// constant, and what lib/cluster_tile.glsl needs.
+// the media at either end. Needs, before it, BINDING_NODE_OBJECTS, the constant's number
+// CONSTANT_SEVERAL_MEDIA, and what lib/cluster_tile.glsl needs.
 #ifndef OPALINE_LIB_WAY_BETWEEN
 #define OPALINE_LIB_WAY_BETWEEN
 #include "lib/cluster_tile.glsl"

@@ -2,7 +2,7 @@
 #ifndef OPALINE_LIB_WHOLE_SUMS
 #define OPALINE_LIB_WHOLE_SUMS
 
-// What the largest of so many powers is, so that all together fit.
+// What the largest of that many powers becomes, so that all together fit.
 float wholeOfMost(uint powers) {
   return 4.0e9 / float(powers);
 }

@@ -1,6 +1,6 @@
-// A work group for each element of a list, whose invocations share what is to be done for it; see
-// CommandList::dispatchGroups. The device says how many they are (gpu::WorkGroups): with TILE_WORK defined for what acts
-// on the clusters of a tile, and with LONG_WORK for loops of half a million rounds in all.
+// A work group for each element of a list, whose invocations share the work for it; see CommandList::dispatchGroups.
+// The device says how many they are (gpu::WorkGroups): with TILE_WORK defined for what acts on the clusters of a tile,
+// and with LONG_WORK for loops of half a million rounds in all.
 #ifndef OPALINE_LIB_WORK_GROUP
 #define OPALINE_LIB_WORK_GROUP
 

@@ -1,6 +1,6 @@
-// What leaves through the paint of surfaces that pixels see: M = λ·B - τ·E, with B as if there were no
-// layer to leave through and E what has entered the diffusion at the surface; and what of it goes
-// towards the camera, over what does without paint.
+// What leaves through the paint of surfaces that pixels see, M = λ·B - τ·E. B is the exitance as if
+// there were no layer to leave through, E what has entered the diffusion at the surface. Also what of
+// it goes towards the camera, over what does without paint.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -22,7 +22,7 @@ layout(std430, set = 0, binding = 16) buffer Paint { vec4 paint[]; };
 
 layout(push_constant) uniform Push {
   uint first;
-  uint carried;  // 1: light has entered the diffusion at the surface, and `paint` has it
+  uint carried;  // 1: light has entered the diffusion at the surface, and `paint` holds it
 };
 
 void main() {

@@ -1,4 +1,4 @@
-// Of the light that surfels have gathered, leaves what gets through the paint.
+// Keeps of the light that surfels have gathered what gets through the paint.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"

@@ -1,4 +1,4 @@
-// Of diffuse light on every surfel, the part that its paint lets through.
+// The part of diffuse light on every surfel that its paint lets through.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0

@@ -1,4 +1,4 @@
-// A range of all surfels, added to the exitance of surfaces that pixels see.
+// Adds a range of all surfels to the exitance of surfaces that pixels see.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

@@ -1,5 +1,4 @@
-// A range of all surfels, added to the exitance of every vertex of the
-// objects that want it there.
+// Adds a range of all surfels to the exitance of every vertex of the objects that are summed there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4

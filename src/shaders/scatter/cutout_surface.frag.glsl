@@ -1,4 +1,4 @@
-// As scatter/surface.frag.glsl, of surfaces with holes.
+// As scatter/surface.frag.glsl, for surfaces with holes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 5

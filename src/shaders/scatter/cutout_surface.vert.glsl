@@ -1,4 +1,4 @@
-// As scatter/surface.vert.glsl, of surfaces with holes.
+// As scatter/surface.vert.glsl, for surfaces with holes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_VERTEX_ATTRIBUTES 3

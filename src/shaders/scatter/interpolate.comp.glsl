@@ -1,5 +1,5 @@
-// Interpolates light between the knots of a block where it changes evenly from each to the next. Where it does not, lists
-// surfaces to sum: of a wide block the knots of its quarters, of a narrow one all.
+// Interpolates light between the knots of a block where it changes evenly from each to the next. Where it does not,
+// lists surfaces to sum: for a wide block the knots of its quarters, for a narrow one all.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -38,7 +38,7 @@ layout(push_constant) uniform Push {
 #include "lib/neighbours.glsl"
 #include "lib/blocks.glsl"
 
-// Of the tolerance of a node: so much a straight line between two knots may be off.
+// How far a straight line between two knots may be off, in parts of a node's tolerance.
 const float partTolerated = 0.1;
 
 int blockWidth() {
@@ -56,7 +56,7 @@ Knots knotsOf(ivec2 first) {
   return knots;
 }
 
-// How far off a straight line is in the middle between two of three knots, as their parabola has it.
+// How far off a straight line is in the middle between two of three knots, by their parabola.
 vec3 errorOfLine(vec3 a, vec3 b, vec3 c) {
   return abs(a - 2.0 * b + c) / 8.0;
 }
@@ -77,7 +77,7 @@ bool changesEvenly(Knots knots, ObjectData body) {
   return all(lessThanEqual(error, toleratedAt(about, partTolerated * tolerance)));
 }
 
-// Of three knots, at so many of their distances from the first, by their parabola.
+// Weights of three knots by their parabola, at `t` of their distances from the first.
 vec3 weightsAt(float t) {
   return vec3(0.5 * (t - 1.0) * (t - 2.0), t * (2.0 - t), 0.5 * t * (t - 1.0));
 }
@@ -95,15 +95,15 @@ void interpolate(ivec2 pixel, vec2 at, Knots knots) {
     if (withPaint != 0u) entered += weight * paint[knots.entries[i]];
   }
   uint entry = entryOfPixel[indexOf(pixel)];
-  // No profile is evaluated for it.
+  // No profile is evaluated for it, so w is 0.
   exitances[entry] = vec4(max(light, vec3(0.0)), 0.0);
-  // Knots of a block are of one body.
+  // All knots of a block belong to one body.
   if (keepsOrigins != 0u)
     origins[entry] = isKnown(origins[knots.entries[0]]) ? max(origin, vec4(0.0)) : unknownOrigin;
   if (withPaint != 0u) paint[entry] = max(entered, vec4(0.0));
 }
 
-// Of the invocation's pixels, those that are summed where light does not change evenly.
+// Which of the invocation's pixels are summed where light does not change evenly.
 bool isListed(ivec2 pixel) {
   return !isKnot(pixel, blockWidth()) && (wide == 0u || isKnot(pixel, narrowBlock));
 }

@@ -1,6 +1,6 @@
-// Finds the blocks of pixels that are filled by one smooth surface of a translucent body, and so small that its light
-// changes slowly over them. Then lists the surfaces where light is summed at first: of those in blocks the knots, and all
-// others. Surfaces of bodies whose light is summed at vertices have what these have.
+// Finds the blocks of pixels that one smooth surface of a translucent body fills, so small that its light changes
+// slowly over them. Then lists the surfaces where light is summed first: in blocks the knots, elsewhere all. Surfaces
+// of bodies whose light is summed at vertices take it from those.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -32,15 +32,15 @@ layout(push_constant) uniform Push {
   uint firstRow;  // of the band
   uint rows;
   uint site;
-  uint interpolates;  // 0: no block does
-  uint samples;       // of a pixel; words of further layers are of another picture
+  uint interpolates;  // 0: no block is interpolated
+  uint samples;       // of a pixel; words of further layers belong to another picture
   uint keepsOrigins;
 };
 
 #include "lib/neighbours.glsl"
 #include "lib/blocks.glsl"
 
-// Between knots, in mean free paths of the channel whose light changes fastest.
+// Most distance between knots, in mean free paths of the channel whose light changes fastest.
 const float farthestApart = 1.5;
 
 // Knots of a narrow block that are the first of other blocks.
@@ -79,7 +79,7 @@ bool areNear(MeshPlace middle, ivec2 pixel, int away) {
 }
 
 bool isSummedHere(ObjectData body) {
-  // Sums over coarse sources have steps, which the sums over those nearby take away.
+  // Sums over coarse sources have steps, which the sums over nearby ones take away.
   return !isOpaque(body) && isSummedAtFragments(body, site) && body.darkest.w == 0.0;
 }
 
@@ -94,7 +94,7 @@ bool isSmooth(ivec2 first) {
   return true;
 }
 
-// Each quarter goes on where it meets the next, and all of them as the middle does.
+// Quarters join where they meet the next; here all must also agree with the middle.
 bool isSmoothAsAWhole(ivec2 first) {
   ivec2 pixel = first + wideBlock / 2;
   MeshPlace middle = placeAt(pixel);
@@ -149,7 +149,8 @@ bool isBetweenKnots(ivec2 pixel, uint block) {
   return block != 0u && !isKnot(pixel, block == isWide ? wideBlock : narrowBlock);
 }
 
-// All of the block's surfaces once, and then, where they are listed, again; says how many are.
+// Goes through all of the block's surfaces once and, where they are listed, again. Returns how many
+// are listed.
 uint goThrough(ivec2 first, uint block, bool lists, uint start) {
   uint count = 0u;
   for (int i = 0; i < pixelsOfBlock; ++i) {

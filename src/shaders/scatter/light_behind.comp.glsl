@@ -1,5 +1,5 @@
-// Irradiance on the other side of opaque surfaces that pixels see, where some of it gets through: of lights with shadow
-// maps, and what clusters know. That of area lights is added to it (opaque_area_lights.comp).
+// Irradiance on the other side of opaque surfaces that pixels see, where some of it gets through: from lights with
+// shadow maps, and what clusters know. opaque_area_lights.comp adds that of area lights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require

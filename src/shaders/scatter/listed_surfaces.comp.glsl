@@ -1,4 +1,4 @@
-// Lists the surfaces that the pixels of a band see, those of a pixel one after the other.
+// Lists the surfaces that the pixels of a band see, those of one pixel together.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -19,7 +19,7 @@ layout(push_constant) uniform Push {
 uint surfacesOf(ivec2 pixel) {
   if (any(greaterThanEqual(pixel, textureSize(words, 0).xy))) return 0u;
   uint count = 0u;
-  // Words of further layers are triangles, with no sample.
+  // Words of further layers hold triangles, with no sample.
   while (count < samples && texelFetch(words, ivec3(pixel, count), 0).r >> seenSamplesShift != 0u) ++count;
   return count;
 }

@@ -1,4 +1,4 @@
-// Adds to the exitance of surfaces that pixels see what sums over coarse sources leave out nearby.
+// Adds what sums over coarse sources leave out nearby to the exitance of surfaces that pixels see.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

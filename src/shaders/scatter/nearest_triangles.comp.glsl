@@ -1,6 +1,6 @@
-// What scatter/surface.vert.glsl and its fragments do, of triangles drawn by invocations and of all samples at once: at
-// first how near the nearest triangle is at each sample, as a number of which the largest is the nearest; then the first
-// of the triangles that are that near. 0 where there is none.
+// What scatter/surface.vert.glsl and its fragments do, for triangles drawn by invocations and for all samples at once.
+// First comes how near the nearest triangle is at each sample, as a number of which the largest is the nearest; then
+// the first of the triangles that are that near. 0 means that there is none.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

@@ -1,7 +1,7 @@
-// Irradiance of area lights on opaque surfaces that pixels see, or on their other side, with soft shadows. Each of 8×8 pixels asks other places
-// of a light, and each pixel takes what those around it have found: 256 places, in any window of that size, or fewer
-// where the shadow's edge is sharp. Where the first places of all around agree, most of them on the light's edge, these
-// are enough.
+// Irradiance of area lights on opaque surfaces that pixels see, or on their other side, with soft shadows. Each of 8×8
+// pixels tests other places of a light, and each pixel takes what those around it have found: 256 places in any window
+// of that size, or fewer where the shadow's edge is sharp. Most first places are on the light's edge; where those of
+// all pixels around agree, they are enough.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -20,8 +20,8 @@
 
 layout(std430, set = 0, binding = 8) buffer Materials { SeenMaterial materials[]; };
 layout(std430, set = 0, binding = 9) buffer Irradiances { vec4 irradiances[]; };
-// Eight bits for each light, of the first surfaces of a band's pixels: how much of it is visible, of `whole`, and
-// whether that changes slowly. Those of the round before, and of this one.
+// Eight bits for each light, for the first surface of each pixel of a band: how much of it is visible, of
+// `whole`, and whether that changes slowly. One buffer is of the round before, the other of this one.
 layout(std430, set = 0, binding = 10) readonly buffer SharesBefore { uvec4 sharesBefore[]; };
 layout(std430, set = 0, binding = 15) writeonly buffer LightShares { uvec4 lightShares[]; };
 
@@ -38,14 +38,14 @@ layout(push_constant) uniform Push {
 
 #include "lib/neighbours.glsl"
 
-// The rounds, OpaqueLightsPass.
+// The rounds of OpaqueLightsPass.
 const uint askingFirst = 0u;
 const uint comparing = 1u;
 const uint askingAgain = 2u;
 const uint averaging = 3u;
 const uint summing = 4u;
 
-const uint whole = 124u;  // a multiple of the rays, so that nothing is rounded where these weigh the same
+const uint whole = 124u;  // a multiple of the rays, so that nothing is rounded where they weigh the same
 const uint unasked = 127u;  // no light comes from there
 const uint slowly = 128u;
 
@@ -81,7 +81,7 @@ bool hasShares(ObjectData body) {
   return isOpaque(body) && (behind == 0u || letsThrough(body)) && isSummedAtFragments(body, site);
 }
 
-// Of a surface that a pixel sees, on the side that is asked about.
+// The place on a surface that a pixel sees, on the side that is asked about.
 MeshPlace placeAsked(ivec2 pixel, uint word) {
   MeshPlace place = seenPlace(pixel, word);
   if (behind != 0u) return otherSideOf(place);
@@ -104,7 +104,7 @@ uint packed(Share share) {
   return share.all > 0.0 ? uint(share.visible / share.all * float(whole) + 0.5) : unasked;
 }
 
-// Which of 4×4 pixels it is, and in which of the quarters of 8×8.
+// Which of 4×4 pixels it is, and which of the quarters of 8×8 it is in.
 uint cellOf(ivec2 pixel) {
   return uint(pixel.x & 3) + 4u * uint(pixel.y & 3);
 }
@@ -127,7 +127,7 @@ uint shareAgainOf(AreaView view, Receiver receiver, ivec2 pixel) {
   return packed(share);
 }
 
-// Of each light, whether some of what has been found sees it, and whether some does not.
+// For each light, whether some of what has been found sees it, and whether some does not.
 struct Around {
   uint visible;
   uint hidden;
@@ -144,7 +144,7 @@ void look(ivec2 pixel, inout Around around) {
   }
 }
 
-// What a window agrees on; where it does not, half.
+// What a window agrees on; half where it does not.
 uvec4 comparedShares(ivec2 pixel) {
   Around around = Around(0u, 0u);
   ivec2 window = windowAround(pixel, width);
@@ -158,7 +158,8 @@ uvec4 comparedShares(ivec2 pixel) {
   return shares;
 }
 
-// The i-th of `count`² pixels around, whose windows are one of so many times the width inside the band.
+// The i-th of `count`² pixels around whose windows together form one of `count` times the width, inside
+// the band.
 ivec2 middleOfWindow(ivec2 pixel, int i, int count) {
   int reach = count * width / 2;
   ivec2 middle = max(min(pixel, endOfBand() - reach), ivec2(0, firstRow) + reach);
@@ -194,8 +195,7 @@ bool goesOnAt(MeshPlace place, ivec2 pixel) {
   return isAsked(pixel) && isOneSurface(place, placeAsked(pixel, seenWord(pixel, 0u)));
 }
 
-// Of the pixels of a window, a bit for each whose first surface is this one. Where all have found the same, one is
-// enough.
+// A bit for each pixel of a window whose first surface is this one. Where all have found the same, one is enough.
 uint alikeAround(Seen seen, MeshPlace place) {
   ivec2 window = windowAround(seen.pixel, width);
   ivec2 away = seen.pixel - window;
@@ -215,7 +215,8 @@ uint alikeAround(Seen seen, MeshPlace place) {
   return alike;
 }
 
-// Mean of a window, mean over those next to the pixel, and how far from the mean they are, squared.
+// The mean of a window, the mean of pixels next to this one, and their squared distance from the
+// mean.
 struct Shares {
   float count;
   float mean;
@@ -245,9 +246,9 @@ Shares sharesAround(uint light, ivec2 pixel, uint alike) {
   return found;
 }
 
-// Where pixels see all of a light or none, although together they see a part of it, the shadow's edge is sharp. The
-// places that a pixel asks are spread over the light, so that each sees about as much where it is not. One pixel among
-// many that see nothing does not tell.
+// The shadow's edge is sharp where pixels see all of a light or none, although together they see a part of it. The
+// places that a pixel tests are spread over the light, so each sees about as much where the edge is soft. One pixel
+// among many that see nothing proves nothing.
 const float doubt = 0.05;
 
 uint averaged(Shares found) {
@@ -259,14 +260,15 @@ uint averaged(Shares found) {
 
 uvec4 averagedShares(Seen seen, MeshPlace place) {
   uint alike = alikeAround(seen, place);
-  if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // slowly
+  if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // all change
+                                                                                     // slowly
   uvec4 shares = uvec4(0u);
   for (uint light = 0u; light < areaLights(); ++light)
     shares = withShare(shares, light, averaged(sharesAround(light, seen.pixel, alike)));
   return shares;
 }
 
-// Of four windows that together are one of twice the width, unless there is a sharp edge in one.
+// The mean of four windows that together form one of twice the width, unless one has a sharp edge.
 float shareOfFour(uint light, Seen seen, MeshPlace place) {
   uint own = bitsOf(sharesBefore[indexOf(seen.pixel)], light);
   uint sum = 0u;

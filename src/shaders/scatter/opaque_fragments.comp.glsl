@@ -1,6 +1,6 @@
-// Of opaque surfaces that pixels see: what they are made of, and the irradiance there of lights with
-// shadow maps, where the site is the fragments. That of area lights is added to it (opaque_area_lights.comp);
-// clusters have the rest.
+// For opaque surfaces that pixels see: what they are made of and, where the site is the fragments, the
+// irradiance from lights with shadow maps. opaque_area_lights.comp adds that of area lights; clusters have
+// the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

@@ -1,5 +1,5 @@
-// Irradiance of lights with shadow maps at the vertices of opaque bodies. That of area lights is added to it
-// (opaque_area_vertices.comp); clusters have the rest.
+// Irradiance from lights with shadow maps at the vertices of opaque bodies. opaque_area_vertices.comp adds
+// that of area lights; clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 3

@@ -1,4 +1,5 @@
-// Lists the pixels of a band whose samples see several triangles. Others that see anything get the word of their surface.
+// Lists the pixels of a band whose samples see several triangles. Other pixels that see anything get the word of their
+// surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

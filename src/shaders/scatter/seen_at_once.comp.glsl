@@ -1,4 +1,4 @@
-// Lists pixels whose samples see several triangles, of samples that hardware has drawn at once.
+// Lists pixels whose samples see several triangles, from samples that hardware has drawn at once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

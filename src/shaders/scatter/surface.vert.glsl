@@ -1,4 +1,5 @@
-// The surface that the camera sees. Indices are read here, so that triangles are known by theirs.
+// The surface that the camera sees. The shader reads indices itself, so that triangles are known by
+// theirs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"

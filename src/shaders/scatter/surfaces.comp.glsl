@@ -1,5 +1,6 @@
-// Which surfaces the samples of a pixel see that see several triangles. Those that see one surface,
-// all of it smooth, take part in one sum and one shading. In place: of triangles, words of surfaces.
+// Finds the surfaces that the samples of a pixel see, where these see several triangles. Samples
+// that see one surface, all of it smooth, share one sum and one shading. Words of triangles become
+// words of surfaces in place.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define MESH_BINDING 4
@@ -17,7 +18,8 @@ layout(push_constant) uniform Push {
   uint samples;
 };
 
-// Of the normals of one surface, seen head on; where it is grazed, less: light changes faster there.
+// How far normals of one surface differ, seen head on. Where it is grazed, they differ less, because
+// light changes faster there.
 const float mostTurned = 0.1;
 // Sine of the angle by which the way from one sample to another may leave the planes of their
 // triangles. Facets of a smooth surface are not flush, and a step to what lies behind is steeper.
@@ -47,7 +49,7 @@ float depthInside(uint triangle, vec2 clip) {
   return min(min(weights.x, weights.y), weights.z);
 }
 
-// Of the triangles that these samples see, the one that stands best for their middle.
+// The triangle that best stands for the middle of these samples, of those that they see.
 uint triangleInMiddle(ivec2 pixel, uint within) {
   vec2 clip = clipAt(pixel, imageSize(words).xy, middleOf(within));
   uint best = triangleSeen(pixel, findLSB(within));
@@ -83,7 +85,8 @@ uint samplesWithFirst(ivec2 pixel, uint pending, out bool several) {
   return within;
 }
 
-// Words go to layers that have been read: a surface's first sample is none before its own layer.
+// Words go to layers that have been read, because a surface's first sample is never before its own
+// layer.
 void writeSurfaces(ivec2 pixel, uint pending) {
   uint all = (1u << samples) - 1u;
   for (int layer = 0; pending != 0u; ++layer) {

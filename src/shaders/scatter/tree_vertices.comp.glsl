@@ -1,5 +1,6 @@
-// The sum over the tree at every vertex, neighbours in space side by side. First roughly, which
-// tells how bright each is; then, where the site is the vertices, to the tolerance of that.
+// The sum over the tree at every vertex, neighbours in space side by side. A rough sum first tells
+// how bright each is; then, where the site is the vertices, the sum is taken to the tolerance of
+// that.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -21,7 +22,7 @@ layout(std430, set = 0, binding = 8) readonly buffer Order { uint order[]; };
 layout(push_constant) uniform Push {
   uint vertexCount;
   float tolerance;
-  uint estimated;  // else a node is taken wherever its series converges
+  uint estimated;  // 0: a node is taken wherever its series converges
   uint site;
 };
 

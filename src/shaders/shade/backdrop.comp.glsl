@@ -1,4 +1,4 @@
-// What the samples see that see no surface: lights, and behind everything the environment.
+// What samples see that meet no surface: lights, and the environment behind everything.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
@@ -28,7 +28,7 @@ void main() {
   ivec2 pixel = pixelOfInvocation();
   ivec2 size = imageSize(radiance);
   bool inside = all(lessThan(pixel, size));
-  // Texels as large as what a sample stands for.
+  // Texels are as large as what a sample stands for.
   float texel = pi / float(textureSize(environment, 0).y);
   float level = max(log2(angleOfPixel(size.y) / (texel * sqrt(float(samples)))), 0.0);
   vec4 sum = vec4(0.0);

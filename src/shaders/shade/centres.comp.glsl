@@ -1,4 +1,4 @@
-// What the pixels' centres see, for whoever wants to know.
+// What the pixels' centres see, for callers that ask.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -12,7 +12,8 @@
 #include "shared/opaque.h"
 #include "lib/diffuse_exitance.glsl"
 
-layout(std430, set = 0, binding = 12) readonly buffer Light { vec4 light[]; };  // exitance, of opaque surfaces irradiance
+layout(std430, set = 0, binding = 12) readonly buffer Light { vec4 light[]; };  // exitance, or irradiance of opaque
+                                                                                // surfaces
 layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D positionObject;  // mm; object + 1
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D unitNormal;  // towards the camera
 layout(set = 0, binding = 5, rgba32f) uniform writeonly image2D exitance;
@@ -20,7 +21,7 @@ layout(set = 0, binding = 5, rgba32f) uniform writeonly image2D exitance;
 layout(std430, set = 0, binding = 14) readonly buffer Materials { SeenMaterial materials[]; };
 
 layout(push_constant) uniform Push {
-  uint atFragments;  // it stands in `light`, else at the vertices
+  uint atFragments;  // 1: it stands in `light`; 0: at the vertices
   uint vertexCount;
 };
 

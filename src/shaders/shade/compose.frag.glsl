@@ -10,7 +10,7 @@
 layout(set = 0, binding = 6) uniform sampler2D radiance;  // by coverage
 
 layout(push_constant) uniform Push {
-  vec4 clipDepth;  // the rows of others' matrix from mm to clip space that make depth
+  vec4 clipDepth;  // the rows for depth of others' matrix from mm to clip space
   vec4 clipW;
   uint layers;      // of surfaces, at most
   uint isReversed;  // depth: nearer is larger

@@ -179,8 +179,9 @@ struct FirstCollision {
   vec4 onward;   // rgb: how far the point lies beyond the collision itself, mm
 };
 
-/// Of each way that is followed to a second collision, in a channel: what leaves where it meets the
-/// surface again after it was mirrored inside, and through which cluster most of that.
+/// For each way that is followed to a second collision, in a channel: what leaves where the way
+/// meets the surface again after it was mirrored inside, and the cluster through which most of that
+/// leaves.
 struct Guided {
   uint cluster;
   float share;  // of the light that entered
@@ -192,8 +193,8 @@ OPALINE_BOUNDARY_CONSTANT pathsOfBeam = 3u * maxSecondPoints;
 struct Meeting {
   uint cluster;  // or noCluster
   float share;
-  float transmitted;  // F_t there: the light is that part of what leaves, and the rest of what
-                      // entered
+  float transmitted;  // F_t there: the light is that part of what leaves there plus the rest of
+                      // what entered there
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
