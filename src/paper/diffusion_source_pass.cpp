@@ -35,8 +35,8 @@ gpu::GpuImage makeCoverage(gpu::Device& device, std::uint32_t size) {
                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
 }
 
-// A texel is drawn all or not at all, by its centre. What the drawn ones stand for besides their
-// own comes from those around the border that are not: area and its centroid (offset in texels) are
+// A texel is drawn all or not at all, by its centre. Drawn texels at a border also stand for the
+// surface in those around it that are not drawn: area and its centroid (offset in texels) are
 // exact, wherever charts end.
 std::vector<shared::vec4> surfaceOfTexels(std::span<const atlas::TexelArea> areas,
                                           std::span<const std::uint32_t> coverage,
@@ -68,8 +68,8 @@ std::uint32_t packOrigin(std::uint32_t index, std::uint32_t size) {
   return index % size | ((index / size) << 15U);
 }
 
-// For every texel among the neighbourhoods the texel of the map that holds its data; the
-// neighbourhoods may be coarser than the map, their atlas has an edge of `atlasSize` texels. What
+// For every texel of the neighbourhoods, the texel of the map that holds its data. The
+// neighbourhoods may be coarser than the map: their atlas has an edge of `atlasSize` texels. What
 // lies beyond the surface takes the position of the nearest texel and no area.
 std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoods,
                                        std::uint32_t atlasSize,

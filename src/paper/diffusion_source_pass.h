@@ -31,7 +31,7 @@ struct AtlasMaps {
   atlas::Neighbourhoods distant;     ///< its size is a multiple of cellEdge
   std::uint32_t distantMapSize = 0;  ///< edge of the atlas in the texels of `distant`, ≤ mapSize
   std::uint32_t cellEdge = 1;        ///< of the far samples' cells, in texels of `distant`
-  std::vector<shared::FarPlace> farPlaces;  ///< eight a vertex
+  std::vector<shared::FarPlace> farPlaces;  ///< eight per vertex
 };
 
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one

@@ -14,7 +14,7 @@ constexpr std::array<double, 4> gaussPoints{-0.8611363115940526, -0.339981043584
 constexpr std::array<double, 4> gaussWeights{0.3478548451374538, 0.6521451548625461,
                                              0.6521451548625461, 0.3478548451374538};
 
-// Of the profile over a square that does not hold the origin, Gauss and Legendre.
+// The integral of the profile over a square without the origin, by Gauss and Legendre.
 double integralOverSquare(const bssrdf::Profile& profile, double centreX, double centreY,
                           double edge) {
   double sum = 0;
@@ -41,12 +41,12 @@ double ringArea(const PatternExtent& extent) {
   return std::numbers::pi * (std::pow(extent.outer, 2) - std::pow(extent.blockRadius(), 2));
 }
 
-// Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
+// Half the edge of a square as large as an eighth of the ring, because a linear filter doubles it.
 int cellEdge(const PatternExtent& extent) {
   return std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(ringArea(extent) / 8))));
 }
 
-// Of a disc about its centre.
+// For a disc, about its centre.
 double meanSquareRadius(double area) {
   return area / (2 * std::numbers::pi);
 }
@@ -123,8 +123,8 @@ class MaskBuilder {
     mask_.entries.push_back(entry);
   }
 
-  // Square of the part of a sample's distance at which the profile, the extent of the sample's
-  // piece of surface included, has the mean that it has over the piece; by bisection.
+  // Square of the part of a sample's distance at which the profile, with the extent of the sample's
+  // piece of surface included, equals its mean over that piece; by bisection.
   static float partOfDistance(const bssrdf::Profile& profile, double mean, double distanceMm,
                               double squareMm2) {
     constexpr double largest = 4;
@@ -156,8 +156,8 @@ int PatternExtent::nearReach() const {
 }
 
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
-  // Of the radius of a disc of the object's area: beyond these a body is no plane any more. Found
-  // where the error against the sum of all sources was least, over media and bodies.
+  // Parts of the radius of a disc of the object's area, beyond which a body is no plane any more.
+  // These give the least error against the sum of all sources, over media and bodies.
   constexpr double largestBlock = 0.25;
   constexpr double largestRing = 0.6;
   constexpr double largest = 16384;

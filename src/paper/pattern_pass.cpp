@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t entriesOfMedium = std::size_t{shared::maxPatternEntries} + 1;  // and the head
 
-// Entries from one medium's to the next: a multiple of every device's alignment of uniform blocks,
-// which is at most 256 bytes.
+// Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
+// blocks, which is at most 256 bytes.
 constexpr std::size_t stride = (entriesOfMedium + 15) / 16 * 16;
 
 // The pattern of one medium.

@@ -28,7 +28,7 @@ class PatternPass {
   struct Inputs {
     passes::SceneTables& tables;
     Map& map;
-    passes::Exitance& exitance;  ///< what comes of it
+    passes::Exitance& exitance;  ///< the result
   };
   /// The far samples, and with `everything` the near block too.
   void overVertices(gpu::CommandList& commands, passes::ScatterTransport transport, bool everything,

@@ -14,7 +14,7 @@
 /// What the steps of the method hand to each other.
 namespace opaline::paper {
 
-/// What the method reads of a scene at rest.
+/// What the method needs of a scene at rest.
 struct RestScene {
   core::RestSurface surface;
   std::span<const Medium> media;
@@ -28,7 +28,7 @@ struct FlatScene {
   atlas::Atlas atlas;
   gpu::Buffer corners;        ///< shared::AtlasCorner, the atlas's vertices
   gpu::Buffer vertexCorners;  ///< shared::AtlasCorner, one for each vertex
-  gpu::Buffer indices;        ///< into corners, three a triangle
+  gpu::Buffer indices;        ///< into corners, three per triangle
   std::uint32_t indexCount = 0;
 
   double texelEdgeMm() const { return atlas.mmPerUnit / mapSize; }  ///< on the rest pose
@@ -49,7 +49,7 @@ struct DiffusionSources {
   gpu::Buffer farOrigins;      ///< the same in a layout for cells
   gpu::GpuImage farPosition;   ///< means over cells
   gpu::GpuImage farFlux;
-  gpu::Buffer farPlaces;          ///< shared::FarPlace, eight a vertex
+  gpu::Buffer farPlaces;          ///< shared::FarPlace, eight per vertex
   std::uint32_t cellEdge = 1;     ///< of a cell, in texels of farOrigins
   std::uint32_t sourceCount = 0;  ///< texels that carry surface
 };
@@ -57,7 +57,7 @@ struct DiffusionSources {
 /// The pattern of each medium.
 struct PatternTable {
   gpu::Buffer entries;  ///< a shared::PatternHead and maxPatternEntries shared::PatternEntry each
-  std::size_t stride = 0;  ///< bytes from one medium's to the next
+  std::size_t stride = 0;  ///< bytes from one medium's pattern to the next
 };
 
 /// What frames of one kind read and write.

@@ -34,7 +34,7 @@ class Technique {
   Map makeMap(gpu::Device& device, const RestScene& scene, FlatScene& flat,
               passes::DeformedMesh& mesh, const RenderOptions& options) const;
 
-  /// What a frame has of the scene, and what it makes.
+  /// What a frame takes from the scene, and what it makes.
   struct Frame {
     passes::FrameView& view;
     passes::DeformedMesh& mesh;
@@ -50,7 +50,8 @@ class Technique {
   /// Which part of the pattern is summed at the vertices.
   enum class VertexPart { FarSamples, Everything };
 
-  /// Gathers irradiance in the map; of the sky only what the clusters around see, if there are any.
+  /// Gathers irradiance in the map. If there are clusters, only that of the sky which those around
+  /// see.
   void gather(gpu::CommandList& commands, const Frame& frame, passes::Clusters* occlusion) const;
   void scatterAtVertices(gpu::CommandList& commands, passes::ScatterTransport transport,
                          VertexPart part, const Frame& frame) const;

@@ -63,8 +63,8 @@ void addChart(const core::RestSurface& surface, const SurfaceChart& chart, const
   }
 }
 
-/// A degenerate triangle shrinks to a point: to where one of its vertices already is, so that what
-/// is looked up there belongs to the surface beside it.
+/// A degenerate triangle shrinks to a point where one of its vertices already is, so that what is
+/// looked up there belongs to the surface beside it.
 void addDegenerate(const core::RestSurface& surface, const Topology& topology, Atlas& atlas) {
   std::vector<std::uint32_t> known(topology.positions.size(), none);
   std::vector<std::uint32_t> chart(topology.positions.size(), 0);

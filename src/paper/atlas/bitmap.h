@@ -22,8 +22,9 @@ struct Silhouette {
   std::size_t pieces = 0;  ///< of the chart's borders, cut by rows
 };
 
-/// Rotated and scaled to cells, its box in the corner at the origin; `corner` receives where that
-/// corner was. None where the box has no room in a square of `size` cells.
+/// The silhouette of an outline, rotated and scaled to cells, its box in the corner at the origin;
+/// `corner` receives where that corner was. None where the box has no room in a square of `size`
+/// cells.
 std::optional<Silhouette> silhouetteOf(const Outline& outline, double cosine, double sine,
                                        double cellsPerMm, int size, Point2& corner);
 

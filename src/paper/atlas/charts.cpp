@@ -124,8 +124,8 @@ class Cells {
     }
   }
 
-  /// Two cells of as many triangles, whatever these look like: the half that is reached first from
-  /// the first triangle, edge by edge, and the rest.
+  /// Two cells with equal numbers of triangles, whatever these look like: the half that is reached
+  /// first from the first triangle, edge by edge, and the rest.
   void halve() {
     for (const std::uint32_t t : domain_) cell_[t] = 1;
     std::size_t left = domain_.size() / 2;

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int mostSteps = 10;
 constexpr double angleWeight = .1;
-constexpr double enoughProgress = 2e-3;  // of the energy, for a step to be followed by another
+constexpr double enoughProgress = 2e-3;  // part of the energy that a step must gain for another to
+                                         // follow
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
@@ -71,7 +72,7 @@ class EqualAreaEnergy {
   }
 
   /// Gradient, and a positive semidefinite stand-in for the second derivatives: those of the energy
-  /// as a convex function of (J, r), and of r itself only what keeps rotations free of charge.
+  /// as a convex function of (J, r), and of r itself only what lets rotations cost nothing.
   void differentiate(const Vector& places, Vector& gradient) {
     gradient = Vector::Zero(places.size());
     std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);

@@ -15,7 +15,8 @@ struct FlatChart {
 };
 
 /// Flattens a disc, with or without holes, with free borders: nearly true in area, then in angle.
-/// No triangle is mirrored and no border crosses another; nothing where that is not reached.
+/// No triangle is mirrored and no border crosses another. Returns nothing where that is not
+/// reached.
 std::optional<FlatChart> flatten(const ChartMesh& mesh);
 
 }  // namespace opaline::atlas

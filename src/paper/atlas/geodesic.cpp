@@ -59,7 +59,7 @@ struct Fans {
   }
 };
 
-// Someone who walks: where, and which way, in a triangle's plane.
+// The place and direction of a walk in a triangle's plane.
 struct Walker {
   std::uint32_t triangle = none;
   std::size_t enteredBy = 3;  // the edge, 3 at the start
@@ -96,8 +96,8 @@ class Walk {
     return topology_.positions[topology_.triangles[triangle][i % 3]];
   }
 
-  // Into the triangle of the fan that lies in the direction. Triangles are told apart as they are
-  // seen along the vertex's normal: there they meet without gaps.
+  // Enters the triangle of the fan that lies in the direction. Triangles are told apart as seen
+  // along the vertex's normal, because there they meet without gaps.
   std::optional<Walker> depart(std::uint32_t vertex, const Point3& direction,
                                const Point3& vertexNormal) const {
     for (const std::uint32_t fan : fans_.around(vertex)) {
@@ -109,7 +109,7 @@ class Walk {
       if (dot(cross(first, direction), vertexNormal) < 0 ||
           dot(cross(direction, second), vertexNormal) < 0)
         continue;
-      // The edge opposite is the only one that the walk can leave by.
+      // The walk can leave only by the edge opposite.
       return Walker{triangle, 3, corner(triangle, at), alongPlane(direction, normal), 0};
     }
     return std::nullopt;
@@ -162,8 +162,8 @@ class Walk {
     return point;
   }
 
-  // Unfolds the next triangle into the plane of the walk: the parts along the edge and across it
-  // stay.
+  // Unfolds the next triangle into the plane of the walk: the components along the edge and across
+  // it stay.
   void crossEdge(Walker& walker, std::size_t edge, double distance, std::uint32_t next) const {
     const Point3 along =
         unit(subtract(corner(walker.triangle, edge + 1), corner(walker.triangle, edge)));

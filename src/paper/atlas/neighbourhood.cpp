@@ -224,7 +224,7 @@ class TilePainter {
     queue_.push({distance + step, next, placed});
   }
 
-  // On from a triangle of the apron. Other charts do not lead back into the one in the middle.
+  // Goes on from a triangle of the apron. Other charts do not lead back into the one in the middle.
   void crossEdges(const Unfolded& from) {
     const bool mayEnter = atlas_.chartOfTriangle[from.triangle] == chart_;
     for (std::size_t edge = 0; edge < 3; ++edge) {
@@ -234,8 +234,8 @@ class TilePainter {
     }
   }
 
-  // The triangle with the shape it has in space, beside an edge whose corner `from` lies at a and
-  // whose other corner, at b, comes before `from` in it.
+  // Lays out the triangle with the shape it has in space, beside an edge. The edge's corner `from`
+  // lies at a; its other corner, at b, comes before `from` in the triangle.
   Corners2 placeBeside(std::uint32_t triangle, std::uint32_t from, const Point2& a,
                        const Point2& b) const {
     const Triangle& index = topology_.triangles[triangle];
@@ -250,7 +250,7 @@ class TilePainter {
     const double u = squared > 0 ? dot(aside, along) / squared : 0;
     const double v = squared > 0 ? length(atlas::cross(along, aside)) / squared : 0;
     const Point2 edge{b[0] - a[0], b[1] - a[1]};
-    // What was left lies on the left of a → b, so this triangle lies on the right.
+    // The triangle that was left lies on the left of a → b, so this one lies on the right.
     Corners2 corners{};
     corners[i] = a;
     corners[before] = b;

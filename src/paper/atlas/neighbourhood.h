@@ -22,13 +22,13 @@ struct Neighbourhoods {
   static constexpr std::uint32_t nothing = 0xffffffffU;
 
   int size = 0;   ///< edge of the square map of all tiles, texels, a multiple of the alignment
-  int reach = 0;  ///< what became of NeighbourhoodOptions::reach
+  int reach = 0;  ///< the reach for which there was room, texels
   std::vector<std::array<int, 2>> shiftOfChart;  ///< from the atlas to the tile, texels
   std::vector<std::uint32_t> source;  ///< size² entries, rows first: y · mapSize + x of the atlas's
                                       ///< texel that shows the same surface, or nothing
 };
 
-/// Depends on the rest pose alone. Where the unfolded surface overlaps itself, what is nearest to
+/// Depends on the rest pose alone. Where the unfolded surface overlaps itself, the part nearest to
 /// the border counts.
 Neighbourhoods makeNeighbourhoods(const core::RestSurface& surface, const Atlas& atlas,
                                   const NeighbourhoodOptions& options);

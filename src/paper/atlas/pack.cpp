@@ -21,13 +21,13 @@ constexpr int mostCells = 1024;  // of an edge of the bitmap, unless there are v
 constexpr int mostCellsCrowded = 4096;
 constexpr double firstCoverage = .74;
 constexpr double coveragePrecision = .006;
-constexpr std::size_t fewCharts = 40;  // for which many turns and orders are tried
+constexpr std::size_t fewCharts = 40;  // up to which many turns and orders are tried
 constexpr int disturbedOrders = 16;
 
-// In words of the bitmap that are read: after so many nothing better is looked for. Dozens of large
+// After this many words of the bitmap are read, nothing better is looked for. Dozens of large
 // charts or thousands of borders would take many seconds.
 constexpr std::size_t enoughWork = 700'000'000;
-constexpr std::size_t wordsPerPiece = 64;  // that take as long as a piece of a border
+constexpr std::size_t wordsPerPiece = 64;  // that take as long as one piece of a border
 
 /// Andrew's monotone chain.
 std::vector<Point2> convexHull(const Outline& outline) {
@@ -183,7 +183,7 @@ class Packer {
     return layout;
   }
 
-  /// How many cells the charts take at least, wherever they lie: with `gutter_` cells above and to
+  /// How many cells the charts take at least, wherever they lie. With `gutter_` cells above and to
   /// the right of each of its own, no chart shares any with another.
   double leastCells(double cellsPerMm) const {
     const double upright = turns_ == 1 ? 1 : std::numbers::sqrt2 / 2;
@@ -197,12 +197,13 @@ class Packer {
     return sum;
   }
 
-  /// For tiny charts, by height: no room was left below.
+  /// For tiny charts, by height: the row below which no room was left.
   using LowestRows = std::vector<int>;
 
   bool hasWorkedEnough() const { return work_ > enoughWork; }
 
-  /// For another layout. Those of thousands of charts are not cut short, so they count ahead.
+  /// Whether another layout may be tried. Those of thousands of charts are not cut short, so they
+  /// count ahead.
   bool hasWorkLeft() const {
     return turns_ == 1 ? 2 * work_ - workBefore_ <= enoughWork : !hasWorkedEnough();
   }
@@ -248,7 +249,7 @@ class Packer {
   int turns_;
   double area_ = 0;
   std::size_t work_ = 0;
-  std::size_t workBefore_ = 0;  // the last layout was tried
+  std::size_t workBefore_ = 0;  // when the last layout was tried
   std::vector<Turn> boxes_;
   std::vector<double> longestSides_;  // mm, of those boxes
   std::vector<double> sizes_;
@@ -308,7 +309,7 @@ Layout pack(const std::vector<Outline>& outlines, int mapSize, int gutter) {
   if (static_cast<double>(outlines.size()) < .7 * room) {
     if (auto layout = bestOfOrders(outlines, cells, gutterCells)) return *layout;
   }
-  // Too many charts for such gutters: they become a cell of an ever finer bitmap.
+  // With too many charts for such gutters, a gutter becomes one cell of an ever finer bitmap.
   for (int fine = 4 * cells; fine <= mostCellsCrowded; fine *= 4) {
     if (static_cast<double>(outlines.size()) > .025 * fine * fine) continue;
     if (auto layout = Packer(outlines, fine, 1, Packer::Order::Area).best()) return *layout;

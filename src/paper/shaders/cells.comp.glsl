@@ -27,7 +27,7 @@ void main() {
       uint origin = origins[texel.y * cells.x * cellEdge + texel.x];
       ivec2 from = ivec2(bitfieldExtract(origin, 0, 15), bitfieldExtract(origin, 15, 15));
       vec4 place = texelFetch(positionArea, from, 0);
-      // Of a whole texel, see there.
+      // The area of a whole texel, as there.
       float whole = place.w / max(texelFetch(texelSurface, from, 0).z, 1e-6);
       float area = (origin >> 31) != 0u ? whole : 0.0;
       flux += vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * area;

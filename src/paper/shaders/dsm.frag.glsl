@@ -1,5 +1,5 @@
-// The diffusion source map (Gong et al. 2008, section 3): position, normal, the irradiance that
-// enters (Eq. 7 and 9) and the area on the surface, as it is in this frame, that the texel stands for.
+// The diffusion source map (Gong et al. 2008, section 3): position, normal, the irradiance that enters
+// (Eq. 7 and 9) and the area that the texel stands for on the surface as it is in this frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -21,8 +21,8 @@ layout(location = 1) out vec4 unitNormal;
 layout(location = 2) out vec4 irradianceObject;  // object + 1
 
 void main() {
-  // All is taken where what the texel stands for has its middle; beside the border of a chart that is
-  // not the texel's centre.
+  // Everything is taken at the middle of what the texel stands for. Beside the border of a chart that
+  // is not the texel's centre.
   vec3 along = dFdx(centre);
   vec3 across = dFdy(centre);
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 2) uniform sampler2D nearFlux;
 layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D seen;
 
-// Devices filter with weights of eight bits.
+// Filters itself, because devices' weights have eight bits.
 vec4 fluxAt(vec2 place) {
   ivec2 size = textureSize(nearFlux, 0);
   vec2 at = clamp(place * vec2(size) - 0.5, vec2(0.0), vec2(size - 1));

@@ -21,7 +21,8 @@ void main() {
   vec4 place = texelFetch(positionArea, from, 0);
   float present = float(origin >> 31);
   imageStore(nearPosition, texel, vec4(place.xyz, present));
-  // Of a whole texel: what its border cuts off lies in the tile as well, shown by other texels.
+  // The area of a whole texel: what its border cuts off lies in the tile as well, shown by other
+  // texels.
   float area = place.w / max(texelFetch(texelSurface, from, 0).z, 1e-6);
   imageStore(nearFlux, texel,
              vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * (present * area));

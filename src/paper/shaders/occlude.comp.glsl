@@ -1,5 +1,5 @@
-// Ambient occlusion of the diffusion source map: takes away what of the sky's light does not get to its
-// texels. The paper names it as future work.
+// Ambient occlusion of the diffusion source map: takes away the part of the sky's light that does not
+// reach its texels. The paper names it as future work.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0

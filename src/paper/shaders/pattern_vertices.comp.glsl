@@ -14,19 +14,21 @@
 layout(constant_id = 1) const uint withNearBlock = 0u;
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one per
+                                                                                          // vertex
 layout(std430, set = 0, binding = 3) writeonly buffer Exitance { vec4 exitances[]; };
 layout(set = 0, binding = 9) uniform sampler2D farPosition;  // means over cells
 layout(set = 0, binding = 10) uniform sampler2D farFlux;
 layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlace charts[]; };
-layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 a vertex
+layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 per
+                                                                                            // vertex
 
 layout(push_constant) uniform Push {
   uint vertexCount;
   uint medium;
 };
 
-// Means over cells: pieces of surface are small nearby and large far away.
+// Reads means over cells: pieces of surface are small nearby and large far away.
 vec3 farSum(uint vertex, vec3 position, MediumData medium) {
   vec4 piece = pattern.entries[2u + pattern.head.nearSamples].value;
   vec3 sum = vec3(0.0);

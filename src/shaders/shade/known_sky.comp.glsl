@@ -1,4 +1,4 @@
-// How much of what surfaces mirror is sky, for those in blocks that tell; and a list of the others.
+// How much of what surfaces mirror is sky, where blocks tell it, and a list of the other surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -18,7 +18,7 @@
 layout(std430, set = 0, binding = 5) writeonly buffer SkyShares { float skyShares[]; };
 layout(set = 0, binding = 6) uniform sampler2D skyBlocks;
 
-// An entry that has to be asked, or noSurface.
+// The entry if it has to be asked, else noSurface.
 uint askedOf(Seen seen) {
   float share = texelFetch(skyBlocks, seen.pixel / 2, 0).r;
   if (!seen.there || isOpaque(objects[objectOfTriangle(triangleOf(seen.word))])) return noSurface;

@@ -1,6 +1,6 @@
-// What surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of the clusters
-// that they meet. Where there are few rays, it is interpolated between clusters. Where the lobe is wide, 2×2 pixels
-// of a translucent surface share its rays: each sends a quarter, and takes what those around it have found.
+// What surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of the clusters that
+// they meet. Where rays are few, this light is interpolated between clusters. Where the lobe is wide, 2×2 pixels of
+// a translucent surface share its rays: each sends a quarter, and takes what those around it have found.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -26,16 +26,17 @@ layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 17) readonly buffer SkyShares { float skyShares[]; };
 
-// Of the first surfaces of a band's pixels: radiance of the bodies that some rays meet, by how many in w.
+// For the first surfaces of a band's pixels: the summed radiance of bodies that some rays meet; w: how
+// many do.
 layout(std430, set = 0, binding = 18) buffer Met { vec4 met[]; };
 
 layout(push_constant) uniform Push {
   uint first;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
-  uint translucent;  // 1: translucent surfaces too, of which `skyShares` says how much they mirror of the sky
+  uint translucent;  // 1: translucent surfaces too; `skyShares` says how much they mirror of the sky
   uint insides;      // 1: light that leaves bodies with an inside is known
-  float alpha;       // of translucent surfaces that have none of their own
+  float alpha;       // of translucent surfaces without one of their own
   uint ownSurfaces;  // 1: `materials` has the roughness and the normal of translucent surfaces too
   uint firstRow;     // of the band
   uint rows;
@@ -44,11 +45,11 @@ layout(push_constant) uniform Push {
 
 #include "lib/neighbours.glsl"
 
-// The rounds, MirroredScenePass.
+// The rounds of MirroredScenePass.
 const uint askingSome = 0u;
 const uint takingAll = 1u;
 
-// Of the lobe, from which on pixels need not tell apart what they mirror.
+// From this width of the lobe on, pixels need not tell apart what they mirror.
 const float leastAlphaShared = 0.04;
 const int widthOfSharing = 2;
 const uint sharing = 4u;
@@ -62,7 +63,7 @@ vec3 exitanceOf(uint cluster, bool opaque) {
   return opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb;
 }
 
-// At a place of a body, by the clusters around; at least by its own.
+// At a place of a body, by the clusters around, or else by its own.
 vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
   bool opaque = isOpaque(body);
   vec3 sum = vec3(0.0);
@@ -78,10 +79,10 @@ vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
   return all > 0.0 ? sum / all : exitanceOf(own, opaque);
 }
 
-// As many rays see patches of clusters as their mean.
+// This many rays see patches of clusters as their mean.
 const uint raysThatSmooth = 7u;
 
-// In w whether it is known.
+// w: whether it is known.
 vec4 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
   ObjectData body = objects[objectOfPiece(piece)];
@@ -94,12 +95,12 @@ vec4 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
   return vec4(exitanceAt(place, normal, body, cluster) / pi, known);
 }
 
-// As many as the lobe is wide.
+// The wider the lobe, the more.
 uint raysOf(float alpha) {
   return alpha < 0.002 ? 1u : clamp(uint(48.0 * alpha), 4u, mostMirroredRays);
 }
 
-// The widest go first: where those meet nothing, so do the others within the lobe.
+// The widest rays go first: where those meet nothing, nor do the others within the lobe.
 vec4 mirrored(MeshPlace place, SeenMaterial material) {
   float alpha = material.diffuse.w;
   uint count = raysOf(alpha);
@@ -121,7 +122,7 @@ vec4 mirrored(MeshPlace place, SeenMaterial material) {
   return sent > 0.0 ? sum / sent : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
-// What mirrors of a translucent surface.
+// How rough a mirroring surface is, and which way it faces.
 struct Mirror {
   float alpha;
   vec3 normal;
@@ -132,7 +133,8 @@ Mirror mirrorOf(Seen seen, MeshPlace place) {
   return Mirror(alpha, place.normal);
 }
 
-// Of what every so many of the rays of a translucent surface meet, without the sky, by how many in w.
+// What every `every`-th ray of a translucent surface meets, without the sky, summed; w: how many meet
+// it.
 vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
   uint count = raysOf(mirror.alpha);
   float start = startAbove(place.position);
@@ -149,7 +151,7 @@ vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
   return sum;
 }
 
-// Else nothing but sky.
+// Otherwise it mirrors only sky.
 bool mirrorsBodies(Seen seen) {
   return skyShares[seen.entry] < 1.0;
 }

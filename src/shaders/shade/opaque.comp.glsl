@@ -18,18 +18,18 @@
 #include "lib/seen_list.glsl"
 #include "lib/diffuse_exitance.glsl"
 
-// Irradiance. After it, radiance by coverage.
+// First irradiance, then radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 7) uniform samplerCubeArray glossySky;
 
 layout(push_constant) uniform Push {
-  uint atFragments;  // the irradiance stands in `light`, else at the vertices
+  uint atFragments;  // 1: the irradiance stands in `light`; 0: at the vertices
   uint specular;
   uint vertexCount;
 };
 
-// The sky is seen through the lobe already.
+// The sky is already seen through the lobe.
 const float leastMirrored = 0.5;
 
 vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, float alpha) {

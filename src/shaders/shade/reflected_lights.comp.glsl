@@ -1,4 +1,4 @@
-// Adds to the radiance of the surfaces that pixels see what they mirror of area lights: GGX as a
+// Adds what surfaces mirror of area lights to their radiance where pixels see them: GGX as a
 // linearly transformed cosine lobe over the light's polygon (Heitz et al. 2016).
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -27,7 +27,7 @@ layout(std430, set = 0, binding = 10) readonly buffer Lobes { vec4 lobes[]; };
 
 layout(std430, set = 0, binding = 16) readonly buffer GlossLobes { vec4 glossLobes[]; };
 layout(std430, set = 0, binding = 17) readonly buffer Materials { SeenMaterial materials[]; };
-// For each triangle and the end where its pieces begin in the list of pieces that follows.
+// Where the pieces of each triangle, and the end, begin in the list of pieces that follows.
 layout(std430, set = 0, binding = 18) readonly buffer PiecesOfTriangles { uint piecesOfTriangles[]; };
 layout(std430, set = 0, binding = 19) readonly buffer Visibilities { uint visibilities[]; };
 
@@ -40,7 +40,7 @@ layout(push_constant) uniform Push {
 };
 
 const uint lobeEntries = 16u;
-// Of the radiance so far: what is worth being added, and for which rays are worth their while.
+// Parts of the radiance so far: what is worth being added, and what is worth sending rays for.
 const float leastMirrored = 1e-3;
 const float leastForRays = 1e-2;
 
@@ -61,7 +61,7 @@ vec4 glossLobeAt(uint row, float cosine) {
   return mix(glossLobes[lower], glossLobes[lower + 1u], fract(place));
 }
 
-// Of opaque surfaces, of which each has its roughness.
+// For opaque surfaces, each of which has its own roughness.
 vec4 glossLobeOf(float alpha, float cosine) {
   float place = clamp(sqrt(alpha) * float(glossLobeRows) - 0.5, 0.0, float(glossLobeRows) - 1.001);
   return mix(glossLobeAt(uint(place), cosine), glossLobeAt(uint(place) + 1u, cosine), fract(place));
@@ -81,7 +81,7 @@ Lobe lobeOf(vec3 normal, vec3 mirrored, vec4 shape) {
               cos(shape.x) * mirrored + sin(shape.x) * away, shape);
 }
 
-// From the scene to where the lobe is that of a cosine.
+// Maps the scene to where the lobe is that of a cosine.
 mat3 toCosineLobe(Lobe lobe) {
   return transpose(mat3((lobe.along - lobe.shape.w * lobe.axis) / lobe.shape.y,
                         lobe.across / lobe.shape.z, lobe.axis));
@@ -97,8 +97,8 @@ vec3 directionIn(Lobe lobe, uint i) {
                    lobe.shape.z * place.y * lobe.across + height * lobe.axis);
 }
 
-// The place of the light that is mirrored in the middle of the lobe, or the nearest to it that there
-// is, from the surface.
+// The place of the light that is mirrored in the middle of the lobe, or the nearest to it, relative
+// to the surface.
 vec3 mirroredPlace(AreaView view, vec3 mirrored) {
   if (view.shape == tubeShape) {
     vec3 across = cross(view.u, cross(mirrored, view.u));
@@ -124,8 +124,8 @@ const uint mostRays = 16u;
 // What the pieces of a triangle see of a light, if they are few and small enough to speak for it.
 struct Sight {
   float part;
-  bool isKnown;  // for there are such pieces
-  bool isOne;    // all of them see all of it, or none of them any
+  bool isKnown;  // there are such pieces
+  bool isOne;    // they all see all of it, or none of it
 };
 const uint mostPieces = 4u;
 
@@ -154,7 +154,8 @@ bool isVisible(MeshPlace place, vec3 offset, Sight sight) {
                    RayTarget(0u, nodeCount, everyObject));
 }
 
-// Of what the lobe mirrors of a light. Where the first rays agree, they are enough.
+// The visible part of what the lobe mirrors of a light. Where the first rays agree, these are
+// enough.
 float visiblePart(MeshPlace place, AreaView view, Lobe lobe, Sight sight) {
   float free = 0.0;
   for (uint i = 0u; i < mostRays; ++i) {
@@ -164,7 +165,7 @@ float visiblePart(MeshPlace place, AreaView view, Lobe lobe, Sight sight) {
   return free / float(mostRays);
 }
 
-// What mirrors: which way the surface faces, the shape of the lobe and how much it mirrors of all.
+// How a surface mirrors: which way it faces, the shape of the lobe, and how much it mirrors in all.
 struct Mirror {
   vec3 normal;
   vec4 shape;
@@ -173,7 +174,7 @@ struct Mirror {
 
 // Some translucent surfaces have a roughness or normals of their own.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
-// Those, or opaque ones: where there are none, no device reads what they would be.
+// There are such surfaces, or opaque ones. Without them no device reads `materials`.
 layout(constant_id = 1) const uint withMaterials = 1u;
 
 Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
@@ -199,7 +200,7 @@ Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
                 mirroredOf(material, parts));
 }
 
-// Beside what is `known` of the radiance there.
+// On top of what is `known` of the radiance there.
 vec3 mirroredLights(Seen seen, MeshPlace place, vec3 known) {
   vec3 toCamera = normalize(toCameraFrom(place.position));
   Mirror mirror = mirrorOf(seen, place, toCamera);

@@ -1,5 +1,5 @@
-// How much of what a translucent surface mirrors towards the camera is sky, of those that are on a list: rays
-// of the GGX lobe that meet nothing. Each of a pixel's samples that see it has some of the lobe's rays.
+// How much of what translucent surfaces on a list mirror towards the camera is sky: rays of the GGX lobe that
+// meet nothing. Each of a pixel's samples that see a surface has some of the lobe's rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -21,7 +21,7 @@ layout(std430, set = 0, binding = 7) writeonly buffer SkyShares { float skyShare
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
 
-// The widest go first: where those agree, so do the others within the lobe.
+// The widest rays go first: where those agree, so do the others within the lobe.
 float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
   uint sent = 0u;
   uint free = 0u;

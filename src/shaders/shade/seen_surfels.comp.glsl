@@ -1,4 +1,4 @@
-// Which surfel lies at every visible pixel, and what of the trees holds it.
+// Which surfel lies at every visible pixel, and which cluster and node hold it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 2
@@ -18,7 +18,7 @@ layout(push_constant) uniform Push {
 };
 
 struct Nearest {
-  float square;  // of its distance, mm²; at first, of what is near enough
+  float square;  // of its distance, mm²; at first, of the largest allowed
   uint piece;    // or noPiece
   uint leaf;     // the node that holds it
 };
@@ -96,7 +96,8 @@ void main() {
     uvec4 tree = objects[uint(surface.w) - 1u].tree;
     mat2x3 sides = sidesOf(boxOf(tree.x));
     float across = middleUnitOfBoxes().w * length(sides[1] - sides[0]);
-    // The place lies on its piece but for rounding, so look there first, and further off after.
+    // The place lies on its piece except for rounding, so the search starts there and then goes
+    // further off.
     Nearest nearest;
     nearest.piece = noPiece;
     for (float part = 1.0 / 65536.0; part < 16.0 && nearest.piece == noPiece; part *= 64.0)

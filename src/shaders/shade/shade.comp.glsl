@@ -22,10 +22,10 @@
 #include "lib/specular_albedo.glsl"
 #include "shared/opaque.h"
 
-// What has scattered. After it, radiance by coverage.
+// First what has scattered, then radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 
-// Of what leaves painted bodies, what goes towards the camera, over that without paint.
+// For painted bodies, what goes towards the camera, over what does without paint.
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(std430, set = 0, binding = 15) readonly buffer Paint { vec4 paint[]; };
 
@@ -38,19 +38,19 @@ layout(std430, set = 0, binding = 19) readonly buffer Origins { vec4 origins[]; 
 layout(std430, set = 0, binding = 20) readonly buffer SkyShares { float skyShares[]; };  // of what is mirrored
 
 layout(push_constant) uniform Push {
-  uint atFragments;  // what has scattered stands in `light`, else at the vertices
+  uint atFragments;  // 1: what has scattered stands in `light`; 0: at the vertices
   float alpha;       // of the GGX reflection
   uint specular;
-  uint skyIsMirrored;  // some of it, as `skyShares` has it; else all or none
-  uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
-  uint leavesSmooth;  // light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
-  uint byOrigin;  // as exitLaw() has it, else evenly
+  uint skyIsMirrored;  // 1: some of it, as `skyShares` says; 0: all or none
+  uint bodiesAreMirrored;  // 1: `materials` holds what is mirrored of them, where that is known
+  uint leavesSmooth;  // 1: light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
+  uint byOrigin;  // 1: by exitLaw(); 0: evenly
 };
 
-// The sky is seen through the lobe already.
+// The sky is already seen through the lobe.
 const float leastMirrored = 0.5;
 
-// What mirrors: as the picture has it or, `own`, as the surface itself has it.
+// How a surface mirrors: as the picture says or, with `own`, as it says itself.
 struct Mirror {
   bool own;
   float alpha;
@@ -70,13 +70,14 @@ vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, Mirror mirr
   return sum / float(bitCount(seeing));
 }
 
-// Of even light, by the cosine of the view.
+// The share of even light, by the cosine of the view.
 float mirroredShare(MediumData medium, Mirror mirror, float cosine) {
   if (withOwnSurfaces != 0u && mirror.own) return reflectedAlbedo(medium, mirror.alpha, cosine);
   return reflectedAlbedo(medium, cosine);
 }
 
-// `bodies` is radiance of the scene where it is mirrored; where that is not known, of the surface here.
+// `bodies` is radiance of what is mirrored of the scene, or of the surface here where that is not
+// known.
 vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
                 vec3 toCamera, float sky, vec3 bodies, Mirror mirror, float share) {
   float eta = medium.boundary.x;

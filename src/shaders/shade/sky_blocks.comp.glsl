@@ -1,8 +1,8 @@
-// How much of what 2×2 pixels mirror is sky, where one smooth surface fills them. Where that fills a block of
-// 4×4 pixels and rays from its corners agree, all of it is as they say. A corner is that of four blocks, and each
-// block has a ray of each kind at its own. Else its quarters are asked from opposite corners, by the widest
-// rays of the lobe. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows are soft, they
-// share twice the rays of one.
+// How much of what 2×2 pixels mirror is sky, where one smooth surface fills them. Where it fills a block of 4×4
+// pixels and rays from the block's corners agree, they hold for all of it. Four blocks share a corner, and each
+// block has a ray of each kind at its own. Otherwise its quarters are tested from opposite corners, by the widest
+// rays of the lobe. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows are soft, they share
+// twice the rays of one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -22,25 +22,28 @@ layout(local_size_x = 64, local_size_x_id = 19) in;
 
 layout(set = 0, binding = 5, r32f) writeonly uniform image2D skyBlocks;
 
-// Of the lobe, from which on pixels need not tell apart what they mirror.
+// From this width of the lobe on, pixels need not tell apart what they mirror.
 const float leastAlphaShared = 0.04;
 
 // Some translucent surfaces have a roughness or normals of their own, and are not smooth.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 
-// Between two corners' normals: what turns further may mirror other things between them.
+// Least cosine between two corners' normals: surfaces that turn further may mirror other things
+// between them.
 const float leastCosine = 0.97;
 
-// A work group has a square of so many of the smallest blocks, known by their Morton numbers: the quarters
-// of a block are four that follow each other.
+// A work group has a square of the smallest blocks, this many across, known by their Morton numbers: the
+// quarters of a block are four that follow each other.
 const uint widthOfGroup = 16u;
 const uint smallest = widthOfGroup * widthOfGroup;
 const uint levels = 2u;  // 4×4 and 2×2 pixels
 
 shared bool broken[levels][smallest];  // no single surface fills the block
-shared uint asked[levels + 1u][smallest];  // blocks of each level, then those that disagree to the last
+shared uint asked[levels + 1u][smallest];  // blocks of each level, and last those that disagree to the
+                                           // end
 shared uint askedCount[levels + 1u];
-// Of each block on a list, a bit for each kind of ray; then how many went, and above 16 bits how many are free.
+// For each block on a list, a bit for each kind of answer; later how many rays went, and above 16 bits how many
+// are free.
 shared uint answers[smallest];
 shared float shares[smallest];  // of the smallest blocks, or unknownShare
 
@@ -75,7 +78,7 @@ ivec2 pixelOfBlock(uint firstBelow) {
   return firstPixel() + 2 * ivec2(placeOfMorton(firstBelow));
 }
 
-// One of four kinds, one for each corner of a block.
+// Sends one of four kinds of rays, one for each corner of a block.
 uint rayOfKind(uint kind, MeshPlace here) {
   if (withOwnSurfaces != 0u && hasOwnSurface(mediumAt(objects[here.object], here.position))) return noRay;
   const uint order[4] = uint[4](0u, 2u, 3u, 1u);  // those of opposite corners follow each other
@@ -88,7 +91,7 @@ bool goesOnSmoothly(uint objectHere, vec3 normalHere, uint objectThere, vec3 nor
   return objectHere == objectThere && dot(normalHere, normalThere) >= leastCosine;
 }
 
-// From one of the block's corners, if the surface goes on smoothly to the one opposite.
+// A ray from one of the block's corners, if the surface goes on smoothly to the one opposite.
 uint rayFromCorner(ivec2 pixel, int width, uint corner) {
   MeshPlace here = placeSeenAt(pixel + (width - 1) * cornerOf(corner));
   MeshPlace there = placeSeenAt(pixel + (width - 1) * cornerOf(3u - corner));
@@ -96,8 +99,8 @@ uint rayFromCorner(ivec2 pixel, int width, uint corner) {
   return rayOfKind(corner, here);
 }
 
-// Those of the k-th corner of all, which are sorted by the kinds of their rays: rays side by side are alike,
-// so that they take the same way.
+// The place of the k-th corner of all. Corners are sorted by the kinds of their rays, so that rays side by
+// side are alike and take the same way.
 uvec2 placeOfCorner(uint k) {
   const uint even = (widthOfCorners + 1u) / 2u;
   const uint odd = widthOfCorners / 2u;
@@ -197,8 +200,8 @@ void answerFromOpposite(uint level, uint count, uint shift) {
   }
 }
 
-// Asks the blocks of a level. What is known then is put down for the smallest below; those of the smallest
-// that disagree are left to be asked again, and of others the quarters.
+// Tests the blocks of a level. What is known then is written for the smallest below. The smallest that
+// disagree are left to be tested again; of others the quarters are.
 void ask(uint level) {
   uint count = askedCount[level];
   uint shift = 2u * (levels - 1u - level);  // from a block's number to that of the first of the smallest in it
@@ -223,7 +226,8 @@ void ask(uint level) {
   barrier();
 }
 
-// Rays of the lobe from the smallest blocks that are left, each pixel half of what it would send alone.
+// Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send
+// alone.
 void askDisagreeing() {
   uint count = askedCount[levels];
   uint apart = max(count, 1u);

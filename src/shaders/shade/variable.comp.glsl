@@ -1,4 +1,4 @@
-// A variable of the pixels' centres as others are given it: its value, and 1 where a surface is seen.
+// A variable of the pixels' centres as it is handed out: its value, and 1 where a surface is seen.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/variable.h"

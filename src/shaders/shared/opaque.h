@@ -62,8 +62,8 @@ struct CornerTangents {
   vec4 last;   // of corner 2, xy; z: side of the bitangent
 };
 
-/// What an opaque surface is made of where a pixel sees it. Of translucent ones only roughness and
-/// normal are set.
+/// What an opaque surface is made of where a pixel sees it. Of translucent ones only roughness,
+/// normal and `around` are set.
 struct SeenMaterial {
   vec4 diffuse;  // rgb: share of light given back diffusely, less what is mirrored; w: roughness²
   vec4 dielectric;  // rgb: F₀ of the part that is no metal; w: its F₉₀

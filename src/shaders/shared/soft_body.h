@@ -53,12 +53,12 @@ struct SoftStep {
   float grip;        // (ω h)² of the hold
   float damping;     // what is left of a velocity after a substep
   float reach;       // farthest from its rest that a held node is asked to go
-  float stillStep;   // of all nodes in a substep, where nothing moves any more
-  float stillShift;  // of all nodes, where all are taken to be at rest
-  float strayShift;  // of any node, that is no rest if the body stands still there
+  float stillStep;   // largest of a node in a substep where nothing moves any more
+  float stillShift;  // largest of a node where all are taken to be at rest
+  float strayShift;  // a larger one of any node is no rest, if the body stands still there
   float strayFrom;   // substeps that it stands still there before it is led home
-  float homePerSubstep;  // part of the pull home that comes with every substep
-  float homeMost;        // (ω h)² of all of it
+  float homePerSubstep;  // part of the pull home that every substep adds
+  float homeMost;        // (ω h)² of the whole pull home
   uint nodeCount;
   uint substeps;
   uint holds;                            // 1: something is held

@@ -1,4 +1,4 @@
-// What a variable that others are given is made from. Included by C++ and GLSL.
+// The sources of variables that are handed out. Included by C++ and GLSL.
 #ifndef OPALINE_SHARED_VARIABLE_H
 #define OPALINE_SHARED_VARIABLE_H
 

@@ -5,7 +5,8 @@
 #include "lib/linear.glsl"
 #include "lib/texels.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three a vertex, mm
+layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three per vertex,
+                                                                              // mm
 TEXELS(1, grid);
 layout(std430, set = 0, binding = 2) writeonly buffer Positions { float positions[]; };
 

@@ -1,4 +1,4 @@
-// From the cage's nodes to a full grid around it: as they are, and carried on beyond them.
+// Spreads the motion of the cage's nodes over a full grid around it, carried on beyond them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"

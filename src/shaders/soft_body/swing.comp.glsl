@@ -7,7 +7,7 @@
 
 layout(local_size_x = softGroupSize) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Cells { uint corners[]; };  // eight a cell
+layout(std430, set = 0, binding = 0) readonly buffer Cells { uint corners[]; };  // eight per cell
 layout(std430, set = 0, binding = 1) readonly buffer Nodes { SoftNode nodes[]; };
 layout(std430, set = 0, binding = 2) buffer Motions { SoftMotion motions[]; };
 layout(std430, set = 0, binding = 3) buffer Turns { vec4 turns[]; };  // quaternions
@@ -40,7 +40,7 @@ void setShift(uint n, vec3 shift) {
   motions[n].shiftZ = shift.z;
 }
 
-// What lies near the place, more the nearer it is.
+// Takes hold of a node near the place, more firmly the nearer it is.
 void takeHold(uint n) {
   SoftNode node = nodes[n];
   vec3 shift = shiftOf(n);
@@ -49,7 +49,7 @@ void takeHold(uint n) {
   grips[n] = vec4(shift, near * near);
 }
 
-// Where a held node is asked to be; never farther than the reach.
+// Where a held node is asked to be, never farther from its rest than the reach.
 vec3 wanted(vec4 grip, vec3 hold) {
   vec3 shift = grip.xyz + hold;
   return shift / sqrt(1.0 + dot(shift, shift) / (now.reach * now.reach));
@@ -84,8 +84,8 @@ void advance(uint n, vec3 hold, float anchor) {
   setShift(n, shift);
 }
 
-// Ends the swing where nobody would see it go on, so that it ends at all, and knows when the body has
-// come to stand in another shape than its own, as one that was pushed through itself may.
+// Ends the swing where nobody would see it go on, so that it ends at all. Also notices when the body
+// has come to stand in another shape than its own, as one that was pushed through itself may.
 void settle(uint lane, vec3 hold, float strayed) {
   for (uint n = lane; n < now.nodeCount; n += softGroupSize) {
     vec3 shift = shiftOf(n);
@@ -93,7 +93,7 @@ void settle(uint lane, vec3 hold, float strayed) {
     atomicMax(largestStep2, floatBitsToUint(dot(went, went)));  // not negative: ordered like floats
     atomicMax(largestShift2, floatBitsToUint(dot(shift, shift)));
   }
-  // Below, others than those that turned cells put them back.
+  // Below, other invocations than those that turned cells put them back.
   memoryBarrierBuffer();
   barrier();
   bool slow = uintBitsToFloat(largestStep2) < now.stillStep * now.stillStep;
@@ -132,8 +132,8 @@ void main() {
     for (uint n = lane; n < now.nodeCount; n += softGroupSize) takeHold(n);
   }
   barrier();
-  // Loops that test at their end: a software device runs the rest of a loop that has been left once
-  // more, to no effect.
+  // Loops test at their end, because a software device runs the rest of a loop that has been left
+  // once more, to no effect.
   uint substep = 0u;
   do {
     uint colour = 0u;

@@ -12,16 +12,16 @@ layout(std140, set = 0, binding = BINDING_PATTERN) uniform Pattern {
 layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm; 1 on surface
 layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // E·A; A
 
-// With the one in the middle, whose mean is tabulated.
+// Counts the cell in the middle too, whose mean is tabulated.
 uint nearEvaluations() {
   return pattern.head.nearSamples + 1u;
 }
 
 // The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each
 // sample weighted by the texels it stands for (section 4.2). The cell at the centre, where the
-// profile is sharpest, is integrated rather than sampled. To the square of a sample's distance comes
-// that of the extent of the piece of surface it stands for: one that comes close in space, where the
-// surface folds, must not outshine it. The pattern is that of the medium, the same for all
+// profile is sharpest, is integrated rather than sampled. The square of a sample's distance grows by
+// that of the extent of its piece of surface: a sample that comes close in space, where the surface
+// folds, must not outshine the centre. The pattern is that of the medium, the same for all
 // invocations.
 vec3 nearSum(vec3 position, MediumData medium, vec2 place) {
   ivec2 centre = ivec2(place * vec2(textureSize(nearPosition, 0)));

@@ -13,7 +13,7 @@ layout(std430, set = 0, binding = BINDING_CORNERS) readonly buffer Corners { Atl
 layout(std430, set = 0, binding = BINDING_CORNERS + 1) readonly buffer CornerIndices { uint cornerIndices[]; };
 layout(std430, set = 0, binding = BINDING_CORNERS + 2) readonly buffer Charts { ChartPlace charts[]; };
 
-// Of a place on a triangle, by its weights of the corners.
+// The place on a triangle with these weights of the corners.
 vec2 nearPlaceOn(uint triangle, vec3 weights) {
   vec2 place = vec2(0.0);
   for (uint i = 0u; i < 3u; ++i) {

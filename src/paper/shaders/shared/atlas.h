@@ -25,7 +25,7 @@ struct ChartPlace {
 };
 
 /// A far sample of a vertex: its place in the map of cells, in [0,1]², and how much surface it
-/// stands for, of what it would on a plane; 0 beyond the surface's border.
+/// stands for, relative to what it would on a plane; 0 beyond the surface's border.
 struct FarPlace {
   float u;
   float v;

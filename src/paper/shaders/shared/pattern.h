@@ -13,10 +13,10 @@ using glm::vec4;
 #define OPALINE_PATTERN_CONSTANT const uint
 #endif
 
-/// Of one medium's pattern.
+/// The head of one medium's pattern.
 struct PatternHead {
   float nearSquareMm2;  // mean square radius of the piece of surface that a near sample stands for
-  float farSquareMm2;   // and a far one
+  float farSquareMm2;   // the same for a far one
   uint nearSamples;
   uint unused;
 };
@@ -32,8 +32,8 @@ struct PatternEntry {
   vec4 value;
 };
 
-/// A near block of 31² samples and the other entries: with the head what every device reads as one
-/// uniform block.
+/// A near block of 31² samples and the other entries. With the head they fill what every device
+/// reads as one uniform block.
 OPALINE_PATTERN_CONSTANT maxPatternEntries = 31 * 31 + 2;
 
 #ifdef __cplusplus
