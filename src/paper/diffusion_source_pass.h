@@ -34,8 +34,8 @@ struct AtlasMaps {
   std::vector<shared::FarPlace> farPlaces;  ///< eight per vertex
 };
 
-/// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one
-/// pass with three targets, and lays it out anew so that charts go on beyond their seams.
+/// Gathers irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one pass
+/// with three targets, and lays it out anew so that charts go on beyond their seams.
 class DiffusionSourcePass {
  public:
   explicit DiffusionSourcePass(gpu::Device& device);

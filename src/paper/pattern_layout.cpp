@@ -125,8 +125,8 @@ std::vector<shared::FarPlace> farPlaces(const RestScene& scene, const FlatScene&
 PatternLayout layOutPattern(const RestScene& scene, const FlatScene& flat,
                             const PatternOptions& options) {
   const int mapSize = flat.mapSize;
-  // Aprons take room: where they would need more than this, the pattern shrinks. 32 million texels
-  // are what every device reads from one buffer.
+  // Aprons take room. Where they would need more than this, the pattern shrinks. Every device reads
+  // 32 million texels from one buffer.
   const int largest = std::min(std::max(2 * mapSize, 1024), 5632);
   const double texelMm = flat.texelEdgeMm();
   PatternLayout layout;

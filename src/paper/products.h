@@ -11,7 +11,7 @@
 #include "opaline/medium.h"
 #include "paper/atlas/atlas.h"
 
-/// What the steps of the method hand to each other.
+/// What the steps of the method pass to each other.
 namespace opaline::paper {
 
 /// What the method needs of a scene at rest.
@@ -43,7 +43,7 @@ struct DiffusionSources {
   gpu::GpuImage
       texelSurface;         ///< what a texel stands for: xy offset of the centroid, z area, texels
   gpu::Buffer charts;       ///< shared::ChartPlace
-  gpu::Buffer nearOrigins;  ///< packed texel of the map for each one among the neighbourhoods
+  gpu::Buffer nearOrigins;  ///< for each texel of the neighbourhoods, the packed texel of the map
   gpu::GpuImage nearPosition;  ///< xyz mm, w 1 where surface is
   gpu::GpuImage nearFlux;      ///< rgb E·A, a A in mm², 0 where no surface is
   gpu::Buffer farOrigins;      ///< the same in a layout for cells

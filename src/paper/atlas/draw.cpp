@@ -86,7 +86,7 @@ struct Edge {
   std::size_t corner;
 };
 
-/// Edges that one triangle alone has.
+/// Edges that only one triangle has.
 std::vector<Edge> borderEdges(const Atlas& atlas) {
   std::vector<Edge> edges;
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t) {

@@ -78,7 +78,7 @@ std::vector<SurfaceChart> flattenAll(const Topology& topology, std::vector<Chart
   return result;
 }
 
-/// Two charts that share part of their borders, and how much of the smaller one's that is.
+/// Two charts that share part of their borders, and how large that part is of the smaller border.
 struct Neighbours {
   std::size_t a, b;
   double sharedPart;
@@ -126,7 +126,7 @@ class Joiner {
       refused_.insert({pair.a, pair.b});
       return;
     }
-    // The union is a chart of its own, so that what either refused is tried again with it.
+    // The union is a chart of its own, so whatever either refused is tried again with it.
     charts_[pair.a] = {};
     charts_[pair.b] = {};
     charts_.push_back(std::move(*joined));

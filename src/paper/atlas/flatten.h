@@ -7,7 +7,8 @@
 
 namespace opaline::atlas {
 
-/// A chart in the plane, mm, one place for each vertex of its mesh, with the area of the surface.
+/// A chart in the plane, mm, with one place for each vertex of its mesh and the area of the
+/// surface.
 struct FlatChart {
   std::vector<Point2> places;
   double areaDistortionRms = 0;  ///< of ln(flat area : surface area), area-weighted

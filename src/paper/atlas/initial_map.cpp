@@ -120,8 +120,9 @@ std::vector<Point2> conformalMap(const ChartMesh& mesh) {
   return places;
 }
 
-/// Tutte 1963: the longest border on a circle, every other vertex at the mean of its neighbours;
-/// holes are closed by a vertex each. One-to-one for every disc, but far from true in shape.
+/// Tutte 1963: the longest border lies on a circle, every other vertex at the mean of its
+/// neighbours; each hole is closed by a vertex. The map is one-to-one for every disc, but far from
+/// true in shape.
 std::vector<Point2> tutteMap(const ChartMesh& mesh) {
   const std::size_t count = mesh.positions.size() + mesh.loops.size() - 1;
   std::vector<Point2> places(count, Point2{});

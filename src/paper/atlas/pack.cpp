@@ -86,7 +86,7 @@ Turn smallestBox(const Outline& outline, double& longestSide) {
 
 class Packer {
  public:
-  /// In which order charts are laid out.
+  /// The order in which charts are laid out.
   enum class Order { Area, Extent };
 
   Packer(const std::vector<Outline>& outlines, int cells, int gutterCells, Order order)
@@ -144,8 +144,8 @@ class Packer {
     return order;
   }
 
-  /// Tries orders that chance disturbs, each at a slightly larger scale than the last that worked.
-  /// The generator is the one whose sequence the standard prescribes, so that every run agrees.
+  /// Tries randomly disturbed orders, each at a slightly larger scale than the last that worked.
+  /// The generator's sequence is prescribed by the standard, so that every run agrees.
   void improve(double works, Layout& result) {
     std::minstd_rand random(1);
     for (int i = 0; i < disturbedOrders && !hasWorkedEnough(); ++i) {

@@ -1,4 +1,4 @@
-// The diffusion source map in the layout of neighbourhoods: each chart with the surface beyond its
+// The diffusion source map in the layout of neighbourhoods: each chart has the surface beyond its
 // seams around it, so that every sample of the pattern falls on what lies there.
 #version 460
 
@@ -21,8 +21,7 @@ void main() {
   vec4 place = texelFetch(positionArea, from, 0);
   float present = float(origin >> 31);
   imageStore(nearPosition, texel, vec4(place.xyz, present));
-  // The area of a whole texel: what its border cuts off lies in the tile as well, shown by other
-  // texels.
+  // The area of a whole texel: what its border cuts off lies in the tile as well, shown by other texels.
   float area = place.w / max(texelFetch(texelSurface, from, 0).z, 1e-6);
   imageStore(nearFlux, texel,
              vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * (present * area));

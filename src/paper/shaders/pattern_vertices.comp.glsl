@@ -14,14 +14,12 @@
 layout(constant_id = 1) const uint withNearBlock = 0u;
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one per
-                                                                                          // vertex
+layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one per vertex
 layout(std430, set = 0, binding = 3) writeonly buffer Exitance { vec4 exitances[]; };
 layout(set = 0, binding = 9) uniform sampler2D farPosition;  // means over cells
 layout(set = 0, binding = 10) uniform sampler2D farFlux;
 layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlace charts[]; };
-layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 per
-                                                                                            // vertex
+layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 per vertex
 
 layout(push_constant) uniform Push {
   uint vertexCount;

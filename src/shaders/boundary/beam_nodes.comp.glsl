@@ -1,5 +1,4 @@
-// Points of light in the body on the nodes of the tree of clusters: at leaves, one per cluster, or
-// at inner nodes.
+// Points of light in the body on the nodes of the tree of clusters: at leaves, one per cluster, or at inner nodes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -38,8 +37,7 @@ const float feltOnce = 1.4;
 const float feltInARow = 1.0;
 const float feltAllAround = 1.0;
 const float feltOfRadius = 0.7;  // at most, of the distance of the furthest point
-const float feltOfDisc = 0.25;   // at least, of the cluster's radius: next to it light is that of a
-                                 // disc
+const float feltOfDisc = 0.25;   // at least, of the cluster's radius: next to it light is that of a disc
 
 mat3 placesOf(BeamPoint point) {
   return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
@@ -130,8 +128,7 @@ void gatherLeaf(uint i) {
                    : mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb));
   float spread = felt * sqrt(square);
   if (!tree.scattersOnce) {
-    // Red goes several times as far as blue, so each channel's spread enters its power here, where
-    // it is known.
+    // Red goes several times as far as blue, so each channel's spread enters its power here, where it is known.
     power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * ofChannels;
     square = 0.0;
   }

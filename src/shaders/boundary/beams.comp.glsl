@@ -59,8 +59,7 @@ uint light;
 uint beam;        // of the cluster and that light, among those found together
 uint pointCount;  // so far
 
-// Puts light that collides at these lengths along a ray. What is not followed further counts as a source further
-// on.
+// Puts light that collides at these lengths along a ray. What is not followed further counts as a source further on.
 void put(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 lengths, vec3 shares) {
   vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
   vec3 ends = lengths + onward;
@@ -166,7 +165,7 @@ float meanCosineInside(Body body, AreaView view, vec3 normal) {
   return all > 0.0 ? sum / all : 0.0;
 }
 
-// What the surface does not let in goes on outside and may enter elsewhere.
+// Light that the surface does not let in goes on outside and may enter elsewhere.
 Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
   vec3 normal = entry.normal.xyz;
   float reflected = fresnelReflectance(body.eta, min(dot(from, normal), 1.0));

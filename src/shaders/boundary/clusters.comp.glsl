@@ -1,4 +1,4 @@
-// The clusters as they are in this frame: place, area and what of the tree follows from them.
+// The clusters as they are in this frame: place, area, and what follows from these in the tree.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_PIECES 3

@@ -1,7 +1,7 @@
-// The next vector of the solver's basis, from the last product, and its densities on the nodes of clusters,
-// where it is a fluence; or those of the fluence at which as much leaves as has entered. Each node takes
-// them from the clusters below it, so that none waits for another. A work group has some leaves and nodes of
-// few clusters, or one of many.
+// The next vector of the solver's basis, from the last product, and its densities on the nodes, taken as a
+// fluence at the clusters; or the densities of the fluence at which as much leaves as has entered. Each node
+// takes them from the clusters below it, so that none waits for another. A work group has some leaves and
+// nodes of few clusters, or one of many.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -30,8 +30,7 @@ ClusterRange rangeOf(uint cluster) {
 TEXELS(5, clusterTexels);  // Cluster
 TEXELS(6, products);
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
-layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // for each vector of the
-                                                                             // basis
+layout(std430, set = 0, binding = 8) buffer Nodes { DensityNode nodes[]; };  // for each vector of the basis
 layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Entered { vec4 entered[]; };
 
@@ -91,8 +90,7 @@ DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   return sum;
 }
 
-// Combines the last product's density with those of the vectors so far, as the next vector does with
-// the vectors.
+// Combines the last product's density with those of the vectors so far, as the next vector does with the vectors.
 void putInner(uint node, DensityNode sum) {
   uint steps = vectorCount();
   for (uint k = 0u; k < steps; ++k) {

@@ -1,5 +1,4 @@
-// The light that enters through the clusters in this frame: of each light by itself and, last, all from
-// everywhere.
+// The light that enters through the clusters in this frame: of each light by itself and, last, all from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SKY_IRRADIANCE 7
@@ -18,8 +17,7 @@
 #include "lib/unit.glsl"
 #include "lib/vertex_at.glsl"
 
-// 0: the shader has no code for area lights. Devices that execute both sides of a branch would run it for
-// every light.
+// 0: the shader has no code for area lights. Devices that execute both sides of a branch would run it for every light.
 layout(constant_id = 0) const uint withAreaLights = 1u;
 
 // Some bodies have normal textures.

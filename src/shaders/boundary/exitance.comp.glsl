@@ -26,10 +26,10 @@ layout(std430, set = 0, binding = 13) buffer Nearby { vec4 nearby[]; };
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint solution;
-  uint adds;       // 1: to what entered before
-  uint isDiffuse;  // 1: adds to what entered before
-  uint atSurface;  // 1: some of it there
-  uint scattersOnce;  // 1: some of it at the surface
+  uint adds;       // 1: adds to what entered before
+  uint isDiffuse;  // 1: diffuse light has entered
+  uint atSurface;  // 1: some of it at the surface
+  uint scattersOnce;  // 1: some light leaves after its first collision
   uint lights;        // that have entered as well
 };
 

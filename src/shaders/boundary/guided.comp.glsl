@@ -18,8 +18,7 @@ layout(std430, set = 0, binding = 3) readonly buffer AroundTiles { uint around[]
 layout(std430, set = 0, binding = 4) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Strongest { uint strongest[]; };
 layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided[]; };
-layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three per cluster, of lights, then of
-                                                                    // everywhere
+layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three per cluster, of lights, then of everywhere
 layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };  // M₁
 layout(std430, set = 0, binding = 9) readonly buffer StrongestOfEverywhere { uint strongestOfEverywhere[]; };
 

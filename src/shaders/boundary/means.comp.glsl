@@ -1,5 +1,4 @@
-// The half-space's exitance as its mean over every cluster, from exitances of vertices, of surfels or of
-// patches.
+// The half-space's exitance as its mean over every cluster, from exitances of vertices, of surfels or of patches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SOURCES 2

@@ -11,8 +11,7 @@ layout(constant_id = 0) const uint addsUp = 1u;
 layout(std430, set = 0, binding = 0) readonly buffer MirroredLight { Mirrored mirrored[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Peaks { uint peaks[]; };  // for the first of the lights that are
                                                                                // found together
-layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three per cluster, and 0 again
-                                                                    // afterwards
+layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three per cluster, and 0 again afterwards
 layout(std430, set = 0, binding = 3) buffer Arrived { vec4 arrived[]; };
 
 layout(push_constant) uniform Push {

@@ -54,8 +54,7 @@ Felt feltOf(uint leaf, vec3 middle, float radius) {
   return its;
 }
 
-// The invocations of a subgroup go in step: each reads one of the clusters around and passes it to the
-// others.
+// The invocations of a subgroup go in step: each reads one of the clusters around and passes it to the others.
 vec3 shareAt(vec3 place, vec3 normal, uint cluster, ClusterRange range) {
   vec3 middle = centroidLinkOf(range.node).xyz;
   float radius = spreadOf(range.node).x;

@@ -16,8 +16,7 @@
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Entries { Entry entries[]; };
-layout(std430, set = 0, binding = 7) buffer Points { vec4 points[]; };  // BeamPoint: a vec4 per
-                                                                        // channel
+layout(std430, set = 0, binding = 7) buffer Points { vec4 points[]; };  // BeamPoint: a vec4 per channel
 layout(std430, set = 0, binding = 8) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 10) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };

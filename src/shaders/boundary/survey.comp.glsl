@@ -199,8 +199,7 @@ float parallelTo(PieceFrame place, vec3 aside, RayHit through, Cluster cluster, 
   return min(cosineOfSlant * way / max(through.distance, 1e-30), 1.0);
 }
 
-// A sum over places all over the cluster. The last lanes take them, because they have the fewest rays
-// outwards.
+// A sum over places all over the cluster. The last lanes take them, because they have the fewest rays outwards.
 vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body) {
   if (range.kind != bodyWithInside) return vec3(0.0);
   uint first = range.firstSurfel * piecesPerSurfel;
@@ -217,8 +216,7 @@ vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body
   return sum;
 }
 
-// Writes what is then known of a cluster. Without rays it sees all of the sky, and from within a body
-// nothing.
+// Writes what is then known of a cluster. Without rays it sees all of the sky, and from within a body nothing.
 void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofThickness, SkySum sum) {
   ObjectData body = objects[range.object];
   float mean = insideOf(body).sigma.w;

@@ -1,5 +1,5 @@
-// Where every vertex is in this frame: morphed, then skinned (glTF 2.0, sections 3.7.2.2 and 3.7.3),
-// or where the caller puts it; then through the procedural deformers. Finds the box around all.
+// Where every vertex is in this frame: morphed, then skinned (glTF 2.0, sections 3.7.2.2 and 3.7.3), or
+// where the caller puts it; then through the procedural deformers. Finds the box around all but the ground.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/bounds.glsl"

@@ -1,5 +1,4 @@
-// Adds the light of area lights to what surfels have gathered, by the visibility that
-// soft_shadows.comp has found.
+// Adds the light of area lights to what surfels have gathered, by the visibility that soft_shadows.comp has found.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4

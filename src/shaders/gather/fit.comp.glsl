@@ -94,8 +94,7 @@ mat4 perspectiveView(vec3 position, vec3 forward, float tangent, float near) {
                   vec4(forward, -dot(forward, position)));
 }
 
-// Six perspective views of 90°, or one of a cone, each wider by what filtering reaches beyond its
-// edge.
+// Six perspective views of 90°, or one of a cone, each wider by as much as filtering reaches beyond its edge.
 void fitPoint(uint light, Box box) {
   vec3 position = frame.lights[light].place.xyz;
   uvec4 kind = frame.lights[light].kind;
@@ -115,8 +114,7 @@ void fitPoint(uint light, Box box) {
   frame.lights[light].texel.x = 2.0 * tangent / mapSize;
 }
 
-// What lies behind an orthographic camera is not seen. Its plane arrives in the place of the row for
-// depth.
+// What lies behind an orthographic camera is not seen. Its plane arrives in the place of the row for depth.
 void fitParallelCamera(Box box) {
   vec3 axis = frame.cameraAxis.xyz;
   float plane = frame.worldToClip[3][2];

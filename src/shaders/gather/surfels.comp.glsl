@@ -55,8 +55,7 @@ vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
   return withNormals == 0u ? normal : tiltedNormal(piece, place.along, place.across, normal);
 }
 
-// The unit normal of a piece, on the side that its triangle's corners go around; of a sheet, on the
-// light's.
+// The unit normal of a piece, on the side that its triangle's corners go around; of a sheet, on the light's.
 vec3 keptSideOf(uint piece, PiecePlace place, IncidentLight light) {
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
   return hasBack(objects[pieceAt(piece).object]) && dot(outside, light.direction) < 0.0 ? -outside : outside;
@@ -66,8 +65,7 @@ float visibilityOn(vec3 position, vec3 outside, IncidentLight light) {
   return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
 }
 
-// Visibility in the middle stands for all of a piece's points, since pieces are small against a
-// surfel of several.
+// Visibility in the middle stands for all of a piece's points, since pieces are small against a surfel of several.
 void keepVisibility(uint piece) {
   PiecePlace place = placeOf(pieceAt(piece));
   vec3 position = positionAt(place, middleOf(place.corners));
@@ -89,8 +87,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   for (uint k = 0u; k < lightsAt(position); ++k) {
     IncidentLight light = incidentLight(k, position);
     float part = enteringPart(light, normal, outside, medium);
-    // One call, because a device that executes both sides of every branch would look into the
-    // shadow map twice.
+    // One call, because a device that executes both sides of every branch would look into the shadow map twice.
     bool enters = part > 0.0 || keepsVisibility == 0u;
     float visible = visibilityOn(position, enters ? outside : keptSideOf(piece, place, light), light);
     if (keepsVisibility != 0u) keep(visible, k, piece, point);

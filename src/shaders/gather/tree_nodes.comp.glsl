@@ -33,8 +33,7 @@ void fitNode(uint node, uint link) {
   mat3 centroids;
   for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
 
-  // No source lies further than the furthest of any child may, nor further than the box's furthest
-  // corner.
+  // No source lies further than the furthest of any child may, nor further than the box's furthest corner.
   float radius = 0.0;
   vec3 low = boxes[node + 1u].low.xyz;
   vec3 high = boxes[node + 1u].high.xyz;

@@ -13,8 +13,7 @@
 struct AreaView {
   uint shape;
   vec3 middle;   // mm
-  vec3 u;        // for a parallelogram or a disc, from the middle to the edge; for a tube, half its
-                 // axis
+  vec3 u;        // for a parallelogram or a disc, from the middle to the edge; for a tube, half its axis
   vec3 v;        // the same; for a tube, unit, from the axis to the place
   vec3 across;   // for a tube, unit, at right angles to both
   float radius;  // of a tube
@@ -109,8 +108,7 @@ vec3 cornerOf(Outline outline) {
   return outline.middle + outline.at.x * outline.x + outline.at.y * outline.y + outline.along;
 }
 
-// Goes to the corner after the i-th. The end of one rim leads to the other, which goes the other
-// way.
+// Goes to the corner after the i-th. The end of one rim leads to the other, which goes the other way.
 void goOn(inout Outline outline, AreaView view, uint i) {
   if (view.shape == tubeShape && i % cornersOfRim == cornersOfRim - 1u) {
     outline.along = -outline.along;

@@ -43,8 +43,8 @@ vec2 edgePlace(AreaView view, float along) {
 // The first places that neighbours test: which of 16, in a turn in [0, 4). Most lie on the light's edge, because
 // whatever covers the light hides some of these first. So where all agree, all of the light is seen or none.
 vec2 firstPlace(AreaView view, uint which, uint turn) {
-  const uint placesOfEdge = 12u;  // so that corners are among them; those of other turns lie between
-  uint i = 5u * which % 16u;  // neighbours do not ask for neighbouring places
+  const uint placesOfEdge = 12u;  // so that corners are among the places; those of other turns lie between
+  uint i = 5u * which % 16u;  // neighbours do not test neighbouring places
   if (i >= placesOfEdge) return netPlace(4u * turn + i - placesOfEdge);
   return edgePlace(view, (float(i) + 0.25 * float(turn)) / float(placesOfEdge));
 }

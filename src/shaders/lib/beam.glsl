@@ -45,8 +45,7 @@ vec3 arrivalAt(uint beam, uint p) {
   return unitOr(to.red.xyz + to.green.xyz + to.blue.xyz - (from.red.xyz + from.green.xyz + from.blue.xyz), vec3(0.0));
 }
 
-// Of the light that entered through a cluster, the share that becomes sources of fluence at its second
-// collisions.
+// Of the light that entered through a cluster, the share that becomes sources of fluence at its second collisions.
 vec3 shareOfSecond(Cluster cluster, BoundaryMedium medium) {
   return cluster.second.rgb * medium.scatters.rgb;
 }

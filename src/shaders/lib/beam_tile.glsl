@@ -26,7 +26,7 @@ layout(push_constant) uniform Push {
   uint lights;
   uint clusterCount;
   uint room;         // of a list
-  uint firstTree;    // the first of the lights
+  uint firstTree;    // for the lights
   uint firstListed;  // the first of those by which lists are made and leaves are opened
   uint nodeCount;    // of a tree
   uint groupCount;
@@ -57,8 +57,7 @@ bool isLit() {
   return readLit(body.clusters.x).extent.x >= 0.0;
 }
 
-// Where the counts of what is kept of the tile's list are, and the words of what begins at an
-// entry.
+// Where the counts of what is kept of the tile's list are, and the words of what begins at an entry.
 uint countsOfTile() {
   return (kindOfBeams * tileCount + tileIndex) * countsOfKept;
 }
@@ -122,7 +121,7 @@ uint ends[kindsOfEntries];  // of each kind
 void sortPart(uint list, uint begin, uint end, Around around, float sigma) {
   begin += gl_LocalInvocationIndex;
   uint mine = begin < end ? (end - begin + invocationsOfTile - 1u) / invocationsOfTile : 0u;
-  uint halves = 0u;  // which of two kinds, a bit for each of up to 16 entries
+  uint halves = 0u;  // which of two kinds, a bit for each entry, up to 16
   uint pairs = 0u;   // which pair of kinds, two bits each
   uint counts[kindsOfEntries / 2u];  // two kinds in each, in halves
   [[unroll]] for (uint p = 0u; p < kindsOfEntries / 2u; ++p) counts[p] = 0u;

@@ -15,8 +15,7 @@ bool isFar(float squaredMm2, float radius, float sigmaPerMm, float openingAngle)
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 
-// Places nearer to each other than this are one, so that the inverse cube of their distance is not too
-// large a number.
+// Places nearer to each other than this are one, so that the inverse cube of their distance is not too large a number.
 const float leastSquaredMm2 = 1e-18;
 
 // A cluster taken as a disc fills less of the solid angle than its area over the squared distance.
@@ -51,9 +50,8 @@ vec3 whitenessOf(BoundaryMedium medium) {
   return smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
 }
 
-// Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface
-// itself: all of it where the body is white and thicker than some mean free paths. The rest is followed
-// to its collisions.
+// Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface itself: all
+// of it where the body is white and thicker than some mean free paths. The rest is followed to its collisions.
 vec3 shareAtSurface(float thicknessMm, BoundaryMedium medium) {
   return smoothstep(2.0, 5.0, thicknessMm * medium.extinction.rgb) * whitenessOf(medium);
 }
@@ -65,8 +63,7 @@ vec3 fluenceAtSurface(vec3 entered, float thicknessMm, BoundaryMedium medium) {
   return overIrradiance * shareAtSurface(thicknessMm, medium) * entered;
 }
 
-// Of the light that entered through a cluster, the share that becomes sources of fluence at its first
-// collisions.
+// Of the light that entered through a cluster, the share that becomes sources of fluence at its first collisions.
 vec3 shareOfFirst(Cluster cluster) {
   return 1.0 - cluster.second.rgb;
 }

@@ -1,5 +1,5 @@
-// From clusters to places of the surface: light as boundary transport has it, with detail of a
-// half-space between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
+// Carries light from clusters to places of the surface: as boundary transport has it, with detail
+// of a half-space between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
 // BINDING_EXITANCES and BINDING_MEANS; BINDING_NEARBY for where light comes from.
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY

@@ -18,8 +18,7 @@ ClusterTile tile;
 ObjectData body;
 BoundaryMedium medium;
 float leastSigma;
-vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Past the tile's end, its last cluster
-                                  // again
+vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Past the tile's end, its last cluster again
 
 // The part of the body's nodes that this invocation looks at in a walk.
 uint sliceBegin;

@@ -8,8 +8,7 @@
 
 layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
 
-// Looks at a node and goes on to the next. Returns how much the node's cluster counts at the place, 0 if it has
-// none.
+// Looks at a node and goes on to the next. Returns how much the node's cluster counts at the place, 0 if it has none.
 float weightOfNext(inout uint node, vec3 place, vec3 normal, out uint cluster) {
   vec4 centroidLink = centroidLinkOf(node);
   uint link = floatBitsToUint(centroidLink.w);

@@ -1,5 +1,5 @@
-// Where opaque surfaces have holes, in fragment shaders. Needs, before it, BINDING_OBJECTS, BINDING_MEDIA,
-// BINDING_OPAQUES and BINDING_TEXELS.
+// Where opaque surfaces have holes, for fragment shaders. Needs, before it, BINDING_OBJECTS,
+// BINDING_MEDIA, BINDING_OPAQUES and BINDING_TEXELS.
 #ifndef OPALINE_LIB_CUTOUT
 #define OPALINE_LIB_CUTOUT
 #include "lib/material.glsl"

@@ -1,5 +1,4 @@
-// The exitance below which differences do not count. Needs, before it, BINDING_NODES and what lib/bodies.glsl
-// needs.
+// The exitance below which differences do not count. Needs, before it, BINDING_NODES and what lib/bodies.glsl needs.
 #ifndef OPALINE_LIB_DARKEST
 #define OPALINE_LIB_DARKEST
 #include "lib/bodies.glsl"

@@ -12,10 +12,9 @@ vec3 excessOfDiffusion(BoundaryMedium medium) {
   return (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
 }
 
-// On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. This
-// factor of 1/A lessens that by the excess. It also holds for clusters of some free paths, though light is not
-// followed to second collisions there: else clusters side by side would differ. Much larger ones lack about as
-// much light.
+// On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. This factor
+// of 1/A lessens that part by the excess. It also holds for clusters of some free paths, though light is not followed
+// to second collisions there: else clusters side by side would differ. Much larger ones lack about as much light.
 vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
   vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);

@@ -1,5 +1,4 @@
-// The fluence that a cluster's points of light would give the clusters of a tile in an infinite medium, times
-// 4πD.
+// The fluence that a cluster's points of light would give the clusters of a tile in an infinite medium, times 4πD.
 #ifndef OPALINE_LIB_FLUENCE_POINTS
 #define OPALINE_LIB_FLUENCE_POINTS
 #include "lib/beam_tile.glsl"

@@ -1,5 +1,4 @@
-// Where each invocation of a work group puts its entries in a list: after those of the invocations
-// before it.
+// Where each invocation of a work group puts its entries in a list: after those of the invocations before it.
 #ifndef OPALINE_LIB_GROUP_PLACE
 #define OPALINE_LIB_GROUP_PLACE
 

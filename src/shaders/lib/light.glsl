@@ -12,9 +12,8 @@ struct IncidentLight {
   vec3 irradiance;  // of a surface that faces it
 };
 
-// How many lights with a shadow map shine at a place: all, but none at infinity. Where uniforms alone say
-// when a loop ends, Mesa's software device (22.3) compiles the shader anew for every dispatch and keeps
-// every version.
+// How many lights with a shadow map shine at a place: all, but none at infinity. Where uniforms alone say when a
+// loop ends, Mesa's software device (22.3) compiles the shader anew for every dispatch and keeps every version.
 uint lightsAt(vec3 position) {
   return isinf(position.x) ? 0u : frame.counts.x;
 }
@@ -40,9 +39,8 @@ IncidentLight incidentLight(uint index, vec3 position) {
   return IncidentLight(index, light.kind.x, direction, light.power.rgb / squared * (part * part));
 }
 
-// The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of
-// the surface as it is drawn. What faces away from a light by that is in its own shadow, wherever
-// `normal` looks.
+// The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of the
+// surface as it is drawn. What faces away from a light by that is in its own shadow, wherever `normal` looks.
 float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData medium) {
   float cosine = dot(normal, light.direction);
   if (cosine <= 0.0 || dot(outside, light.direction) <= 0.0) return 0.0;

@@ -1,5 +1,4 @@
-// What bodies are made of, and the only access to it. Needs, before it, BINDING_OBJECTS and
-// BINDING_MEDIA.
+// What bodies are made of, and the only access to it. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_MATERIAL
 #define OPALINE_LIB_MATERIAL
 #include "lib/bodies.glsl"

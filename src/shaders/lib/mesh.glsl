@@ -32,9 +32,8 @@ float cross2(vec2 a, vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
-// Weights of the triangle's corners where a line of sight meets its plane (Olano and Greer 1997).
-// `clip` is the line's place in clip space, over w. Relative to it, nothing that is subtracted is
-// large.
+// Weights of the triangle's corners where a line of sight meets its plane (Olano and Greer 1997). `clip`
+// is the line's place in clip space, over w. Relative to it, nothing that is subtracted is large.
 vec3 weightsOn(uvec3 vertices, vec2 clip) {
   vec2 off[3];
   for (int i = 0; i < 3; ++i) {
@@ -81,8 +80,7 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
 }
 
 // The place on the smooth surface to which the normals of the corners belong. It is lifted out of the
-// triangle, so that what these normals turn to a light is not in the triangle's own shadow (Hanika
-// 2021).
+// triangle, so that what these normals turn to a light is not in the triangle's own shadow (Hanika 2021).
 vec3 liftedPlace(MeshPlace place) {
   vec3 lifted = place.position;
   for (int i = 0; i < 3; ++i) {

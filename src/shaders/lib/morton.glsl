@@ -1,5 +1,4 @@
-// Places of a square by their Morton numbers: those of each square of half the width follow each
-// other.
+// Places of a square by their Morton numbers: those of each square of half the width follow each other.
 #ifndef OPALINE_LIB_MORTON
 #define OPALINE_LIB_MORTON
 

@@ -29,8 +29,7 @@ const float otherSide = -0.3;
 // middles. A smaller part lies at a border.
 const float wholeDisc = 0.85;
 
-// Sources on the other side of a part look smooth where it is thicker than this many of their
-// spacings.
+// Sources on the other side of a part look smooth where it is thicker than this many of their spacings.
 const float smoothThickness = 1.5;
 
 // The profile of sources in another plane, on the other side of a thin part. As much comes through as from infinitely

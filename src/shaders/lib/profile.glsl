@@ -17,8 +17,7 @@ vec3 dipoleProfile(Profile p, vec3 radiusSquaredMm2) {
          p.weightVirtual * decayVirtual * (overVirtual * overVirtual) * (overVirtual + p.sigmaTr);
 }
 
-// 1 - e^{-x} to relative float accuracy, x ≥ 0, given e^{-x}: the Taylor series where the
-// subtraction would cancel.
+// 1 - e^{-x} to relative float accuracy, x ≥ 0, given e^{-x}: the Taylor series where the subtraction would cancel.
 vec3 oneMinusExp(vec3 x, vec3 expMinusX) {
   vec3 series =
       x * (1.0f -

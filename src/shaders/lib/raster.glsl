@@ -52,7 +52,7 @@ Corners cornersOf(mat4 toClip, uint triangle) {
                  inClipSpace(toClip, indices[3u * triangle + 2u]));
 }
 
-// Whether a corner lies outside of each side of what is seen: left, above, nearer; right, below, further.
+// Whether a corner lies outside each side of what is seen: left, above, nearer; right, below, further.
 bvec3 isBefore(vec4 corner) {
   return bvec3(corner.x < -corner.w, corner.y < -corner.w, corner.z > corner.w);
 }
@@ -95,8 +95,7 @@ bool hasEdge(vec2 a, float wOfA, vec2 b, float wOfB, float turned) {
   return along.y < 0.0 || along.y == 0.0 && along.x > 0.0;
 }
 
-// The depth at which the line of sight through that place, clip space over w, meets the triangle; 0 where
-// it misses.
+// The depth at which the line of sight through that place, clip space over w, meets the triangle; 0 where it misses.
 float depthAt(Corners its, vec2 place) {
   precise vec2 a = its.a.xy - its.a.w * place;
   precise vec2 b = its.b.xy - its.b.w * place;

@@ -12,8 +12,7 @@ uint firstPieceOf(uint object);
 // (see gpu::AccelerationStructure), and each is asked whose it is.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target, bool anyWillDo) {
-  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query needs this
-                                                                          // order
+  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query needs this order
   bool one = target.object != everyObject;
   uint flags = (one ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT) |
                (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);

@@ -17,8 +17,7 @@ struct RayHit {
   uint piece;      // or noPiece
 };
 
-// What a ray may meet: the pieces below some nodes of the surfels' tree, those of all objects or of
-// one.
+// What a ray may meet: the pieces below some nodes of the surfels' tree, those of all objects or of one.
 struct RayTarget {
   uint firstNode;
   uint endNode;
@@ -40,9 +39,8 @@ float startAbove(vec3 position) {
 }
 
 // The nearest piece of the target that a ray meets beyond `minDistance` and before `maxDistance`.
-// Distances are in lengths of `direction`, which need not be 1. A ray that starts on a piece meets
-// it at about 0, on either side: within a millionth of the coordinates, and more the flatter it
-// leaves.
+// Distances are in lengths of `direction`, which need not be 1. A ray that starts on a piece meets it
+// at about 0, on either side: within a millionth of the coordinates, and more the flatter it leaves.
 RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target) {
   return meetPieces(origin, direction, minDistance, maxDistance, target, false);
@@ -54,8 +52,7 @@ bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance,
   return meetPieces(origin, direction, minDistance, maxDistance, target, true).piece != noPiece;
 }
 
-// The unit normal of a piece that was hit, to the side from which its triangle's corners are seen
-// counter-clockwise.
+// The unit normal of a piece that was hit, to the side from which its triangle's corners are seen counter-clockwise.
 vec3 facetNormal(uint piece) {
   int at = 3 * int(piece);
   vec3 a = texelOf(pieceCorners, at).xyz;

@@ -49,7 +49,7 @@ float lobe(float alpha, vec3 normal, vec3 toLight, vec3 toCamera, out float cosi
          ggxVisibility(alpha, max(dot(normal, toCamera), 1e-3), cosineIn) * cosineIn;
 }
 
-// α widened to α² + θ²/4μ, for a disc of angular radius θ. In the highlight's middle a lobe mirrors (θ²/4μ) / (α² +
+// Widens α² to α² + θ²/4μ, for a disc of angular radius θ. In the highlight's middle a lobe mirrors (θ²/4μ) / (α² +
 // θ²/4μ) of such a disc, which is what one of that width mirrors of as much parallel light. `cosine` is μ, that of
 // the mirrored light.
 float widenedBy(uint light, float alpha, float cosine) {
@@ -62,8 +62,7 @@ float widenedBy(uint light, float alpha, float cosine) {
 const float leastTurn = 0.1;
 const float widthOfLobe = 4.0;
 
-// The lobe, as a mean over samples where the highlight is sharp, since it may be narrower than a
-// pixel.
+// The lobe, as a mean over samples where the highlight is sharp, since it may be narrower than a pixel.
 float lobeOfSamples(float alpha, NormalsNearby normals, uint samples, vec3 toLight, vec3 toCamera) {
   float cosineHalf;
   float value = lobe(alpha, normals.middle, toLight, toCamera, cosineHalf);

@@ -26,10 +26,9 @@ vec4 litAt(LightData light, vec4 depths, float receiverMm) {
   return lit;
 }
 
-// How the depth of a plane changes from one point of the light's view to the next, relative to
-// their distance. Cube faces hold depth along their axis, so a plane that faces a point light away
-// from that axis has a slope too. With z(d) = const / n·d for rays d = (u, v, 1), |∇z| = z |n_uv| /
-// |n·d|.
+// How the depth of a plane changes from one point of the light's view to the next, relative to their
+// distance. Cube faces hold depth along their axis, so a plane that faces a point light away from
+// that axis has a slope too. With z(d) = const / n·d for rays d = (u, v, 1), |∇z| = z |n_uv| / |n·d|.
 float depthSlope(LightData light, vec3 toLight, vec3 normal) {
   float alongAxis = dot(normal, toLight);
   float facing = alongAxis;

@@ -22,8 +22,7 @@ Sight sightThrough(vec2 clip) {
   return Sight(frame.cameraPosition.xyz, normalize(axis + aside));
 }
 
-// The angle from one pixel to the next in the middle of a picture of so many rows, rad; 0 for
-// parallel sight.
+// The angle from one pixel to the next in the middle of a picture of so many rows, rad; 0 for parallel sight.
 float angleOfPixel(int rows) {
   vec4 down = transpose(frame.worldToClip)[1];
   return frame.cameraPosition.w * 2.0 / (length(down.xyz) * float(rows));

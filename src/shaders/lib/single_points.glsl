@@ -26,10 +26,9 @@ float leaving(float cosine) {
              : 2.0 * eta * cosine * outside * (across * across + along * along) / (both * both);
 }
 
-// Places near the surface are smoothed over the cluster, in the cosine as well as the distance. The
-// way follows from the depth and that cosine. With z² + s for z² in both, all light from a depth z
-// that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the
-// smoothing s.
+// Places near the surface are smoothed over the cluster, in the cosine as well as the distance. The way
+// follows from the depth and that cosine. With z² + s for z² in both, all light from a depth z that
+// clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the smoothing s.
 float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uint target) {
   vec3 offset = targets[target].xyz - place;
   float depth = dot(offset, targetNormals[target].xyz);

@@ -1,4 +1,4 @@
-// What is known of 2×2 pixels: how much of what they mirror is sky.
+// How much of what 2×2 pixels mirror is sky.
 #ifndef OPALINE_LIB_SKY_BLOCK
 #define OPALINE_LIB_SKY_BLOCK
 

@@ -58,10 +58,9 @@ mat3 turnLessIdentity(vec4 q) {
                     vec3(q.x * q.z + q.w * q.y, q.y * q.z - q.w * q.x, -d.x - d.y));
 }
 
-// A rotation nearer to that in F = 1 + f, from one that is near: a Newton step for the largest tr RᵀF
-// or, where that does not lead there, the shorter step of Müller et al. 2016, Eq. 7. It is never a
-// reflection, so that a cell that was turned inside out recovers. A rotation that lags behind would
-// brake every turn.
+// A rotation nearer to that in F = 1 + f, from one that is near: a Newton step for the largest tr RᵀF or,
+// where that does not lead there, the shorter step of Müller et al. 2016, Eq. 7. It is never a reflection,
+// so that a cell that was turned inside out recovers. A rotation that lags behind would brake every turn.
 vec4 nearerTurn(vec4 q, mat3 f) {
   mat3 r = turnLessIdentity(q);
   mat3 turn = r + mat3(1.0);

@@ -19,8 +19,7 @@ float reflectedAlbedo(MediumData medium, float cosine) {
   return albedoFrom(medium.tables.w, cosine);
 }
 
-// For a surface with its own roughness² = alpha. Beyond the last row, half a step before 1, the table goes on
-// straight.
+// For a surface with its own roughness² = alpha. Beyond the last row, half a step before 1, the table goes on straight.
 float reflectedAlbedo(MediumData medium, float alpha, float cosine) {
   float place = max(sqrt(alpha) * float(albedoRows) - 0.5, 0.0);
   uint lower = min(uint(place), albedoRows - 2u);

@@ -13,7 +13,7 @@ struct TexturePlace {
   vec2 down;
 };
 
-// Place of a texel in [0, size), wherever it lies.
+// The texel in [0, size) that stands for any place.
 int wrapped(int at, int size, uint wrap) {
   if (wrap == 2u) return clamp(at, 0, size - 1);
   int period = wrap == 1u ? 2 * size : size;
@@ -22,7 +22,7 @@ int wrapped(int at, int size, uint wrap) {
   return at < size ? at : 2 * size - 1 - at;
 }
 
-// Wraps by a texture's bits.
+// Wraps from a texture's bits.
 uint wrapU(uint bits) {
   return bits & 3u;
 }

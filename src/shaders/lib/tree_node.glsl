@@ -1,4 +1,4 @@
-// What a node of the tree (shared/surfels.h) is made of and taken apart into.
+// Makes a node of the tree (shared/surfels.h) and takes it apart.
 #ifndef OPALINE_LIB_TREE_NODE
 #define OPALINE_LIB_TREE_NODE
 #include "shared/surfels.h"

@@ -14,13 +14,11 @@
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
-// A node is opened nearer than this many of its radii, squared, because the series would not
-// converge there.
+// A node is opened nearer than this many of its radii, squared, because the series would not converge there.
 const float nearestInRadii2 = 2.0;
 
-// In a node whose surfels lie evenly about its centroid, the first term left out that does not
-// cancel is of fourth order, F g⁴ f⁗/24 with the mean square g². This much of it counts as the
-// error.
+// In a node whose surfels lie evenly about its centroid, the first term left out that does not cancel
+// is of fourth order, F g⁴ f⁗/24 with the mean square g². This much of it counts as the error.
 const float neglectedPart = 1.0;
 
 Derivatives profileDerivatives(Profile profile, vec3 squaredMm2) {
@@ -63,8 +61,7 @@ bool isNegligible(TreeNode node, vec3 squared, Profile profile, float reach, vec
   return all(lessThanEqual(most, negligiblePart * tolerated));
 }
 
-// Adds a node to the sum and returns true, or returns false where that could be off by more than
-// tolerated.
+// Adds a node to the sum and returns true, or returns false where that could be off by more than tolerated.
 bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 tolerated,
               inout vec4 sum) {
   vec3 squared = squaredDistances(node, position);

@@ -12,7 +12,7 @@ layout(std430, set = 0, binding = BINDING_NODE_OBJECTS) readonly buffer NodeObje
 struct WayBetween {
   vec3 sigma;          // 1/mm
   vec3 extinction;     // 1/mm
-  vec3 overDiffusion;  // D of the tile's medium over the one between
+  vec3 overDiffusion;  // D of the tile's medium over that in between
 };
 
 WayBetween way;

@@ -149,8 +149,7 @@ bool isBetweenKnots(ivec2 pixel, uint block) {
   return block != 0u && !isKnot(pixel, block == isWide ? wideBlock : narrowBlock);
 }
 
-// Goes through all of the block's surfaces once and, where they are listed, again. Returns how many
-// are listed.
+// Goes through all of the block's surfaces once and, where they are listed, again. Returns how many are listed.
 uint goThrough(ivec2 first, uint block, bool lists, uint start) {
   uint count = 0u;
   for (int i = 0; i < pixelsOfBlock; ++i) {

@@ -158,8 +158,7 @@ uvec4 comparedShares(ivec2 pixel) {
   return shares;
 }
 
-// The i-th of `count`² pixels around whose windows together form one of `count` times the width, inside
-// the band.
+// The i-th of `count`² pixels around whose windows together form one of `count` times the width, inside the band.
 ivec2 middleOfWindow(ivec2 pixel, int i, int count) {
   int reach = count * width / 2;
   ivec2 middle = max(min(pixel, endOfBand() - reach), ivec2(0, firstRow) + reach);
@@ -215,8 +214,7 @@ uint alikeAround(Seen seen, MeshPlace place) {
   return alike;
 }
 
-// The mean of a window, the mean of pixels next to this one, and their squared distance from the
-// mean.
+// The mean of a window, the mean of pixels next to this one, and their squared distance from the mean.
 struct Shares {
   float count;
   float mean;
@@ -260,8 +258,7 @@ uint averaged(Shares found) {
 
 uvec4 averagedShares(Seen seen, MeshPlace place) {
   uint alike = alikeAround(seen, place);
-  if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // all change
-                                                                                     // slowly
+  if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // all change slowly
   uvec4 shares = uvec4(0u);
   for (uint light = 0u; light < areaLights(); ++light)
     shares = withShare(shares, light, averaged(sharesAround(light, seen.pixel, alike)));

@@ -1,6 +1,5 @@
-// For opaque surfaces that pixels see: what they are made of and, where the site is the fragments, the
-// irradiance from lights with shadow maps. opaque_area_lights.comp adds that of area lights; clusters have
-// the rest.
+// For opaque surfaces that pixels see: what they are made of and, where the site is the fragments, the irradiance
+// from lights with shadow maps. opaque_area_lights.comp adds that of area lights; clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

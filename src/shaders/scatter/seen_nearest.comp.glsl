@@ -1,5 +1,4 @@
-// Lists pixels whose samples see several triangles, from samples that scatter/nearest_triangles.comp.glsl has
-// drawn.
+// Lists pixels whose samples see several triangles, from samples that scatter/nearest_triangles.comp.glsl has drawn.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

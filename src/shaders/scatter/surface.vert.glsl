@@ -1,5 +1,4 @@
-// The surface that the camera sees. The shader reads indices itself, so that triangles are known by
-// theirs.
+// The surface that the camera sees. The shader reads indices itself, so that triangles are known by theirs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"

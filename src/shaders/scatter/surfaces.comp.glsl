@@ -22,7 +22,7 @@ layout(push_constant) uniform Push {
 // light changes faster there.
 const float mostTurned = 0.1;
 // Sine of the angle by which the way from one sample to another may leave the planes of their
-// triangles. Facets of a smooth surface are not flush, and a step to what lies behind is steeper.
+// triangles. Facets of a smooth surface are not flush; a step to what lies behind is steeper.
 const float mostOffPlane = 0.4;
 
 bool isOneSurface(MeshPlace a, MeshPlace b) {
@@ -65,7 +65,7 @@ uint triangleInMiddle(ivec2 pixel, uint within) {
   return best;
 }
 
-// Of the samples in `pending`, those that see the surface that the first of them sees.
+// The samples in `pending` that see the same surface as the first of them.
 uint samplesWithFirst(ivec2 pixel, uint pending, out bool several) {
   int first = findLSB(pending);
   uint triangle = triangleSeen(pixel, first);
@@ -85,8 +85,7 @@ uint samplesWithFirst(ivec2 pixel, uint pending, out bool several) {
   return within;
 }
 
-// Words go to layers that have been read, because a surface's first sample is never before its own
-// layer.
+// Words go to layers that have been read, because a surface's first sample is never before its own layer.
 void writeSurfaces(ivec2 pixel, uint pending) {
   uint all = (1u << samples) - 1u;
   for (int layer = 0; pending != 0u; ++layer) {

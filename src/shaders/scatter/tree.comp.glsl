@@ -24,8 +24,7 @@ layout(push_constant) uniform Push {
   uint estimated;  // 0: a node is taken wherever its series converges
 };
 
-// About how bright the place is. Vertices that are far apart know nothing of what lies between
-// them.
+// About how bright the place is. Vertices that are far apart know nothing of what lies between them.
 vec3 estimateAt(MeshPlace place, ObjectData body, uint root, Profile profile) {
   bool coarse = estimated != 0u && body.table.w != 0u;
   vec3 there = roughSum(place.position, body, coarse ? root : noNode, profile);

@@ -1,6 +1,5 @@
-// The sum over the tree at every vertex, neighbours in space side by side. A rough sum first tells
-// how bright each is; then, where the site is the vertices, the sum is taken to the tolerance of
-// that.
+// The sum over the tree at every vertex, neighbours in space side by side. A rough sum first tells how
+// bright each is; then, where the site is the vertices, the sum is taken to the tolerance of that.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require

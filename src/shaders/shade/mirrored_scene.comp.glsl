@@ -26,8 +26,7 @@ layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 17) readonly buffer SkyShares { float skyShares[]; };
 
-// For the first surfaces of a band's pixels: the summed radiance of bodies that some rays meet; w: how
-// many do.
+// For the first surfaces of a band's pixels: the summed radiance of bodies that some rays meet; w: how many do.
 layout(std430, set = 0, binding = 18) buffer Met { vec4 met[]; };
 
 layout(push_constant) uniform Push {
@@ -133,8 +132,7 @@ Mirror mirrorOf(Seen seen, MeshPlace place) {
   return Mirror(alpha, place.normal);
 }
 
-// What every `every`-th ray of a translucent surface meets, without the sky, summed; w: how many meet
-// it.
+// What every `every`-th ray of a translucent surface meets, without the sky, summed; w: how many meet it.
 vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
   uint count = raysOf(mirror.alpha);
   float start = startAbove(place.position);
@@ -197,7 +195,7 @@ void main() {
   }
   if (round == askingSome) return;
   SeenMaterial material = materials[seen.entry];
-  // What mirrors next to nothing needs no rays.
+  // A surface that mirrors next to nothing needs no rays.
   if (material.metal.w <= 0.0 && material.dielectric == vec4(0.0)) return;
   materials[seen.entry].around = mirrored(place, material);
 }

@@ -97,8 +97,7 @@ vec3 directionIn(Lobe lobe, uint i) {
                    lobe.shape.z * place.y * lobe.across + height * lobe.axis);
 }
 
-// The place of the light that is mirrored in the middle of the lobe, or the nearest to it, relative
-// to the surface.
+// The place of the light that is mirrored in the middle of the lobe, or the nearest to it, relative to the surface.
 vec3 mirroredPlace(AreaView view, vec3 mirrored) {
   if (view.shape == tubeShape) {
     vec3 across = cross(view.u, cross(mirrored, view.u));
@@ -121,7 +120,7 @@ vec3 mirroredPlace(AreaView view, vec3 mirrored) {
 const uint fewRays = 4u;
 const uint mostRays = 16u;
 
-// What the pieces of a triangle see of a light, if they are few and small enough to speak for it.
+// What the pieces of a triangle see of a light, if they are few and small enough to stand for it.
 struct Sight {
   float part;
   bool isKnown;  // there are such pieces
@@ -154,8 +153,7 @@ bool isVisible(MeshPlace place, vec3 offset, Sight sight) {
                    RayTarget(0u, nodeCount, everyObject));
 }
 
-// The visible part of what the lobe mirrors of a light. Where the first rays agree, these are
-// enough.
+// The visible part of what the lobe mirrors of a light. Where the first rays agree, these are enough.
 float visiblePart(MeshPlace place, AreaView view, Lobe lobe, Sight sight) {
   float free = 0.0;
   for (uint i = 0u; i < mostRays; ++i) {

@@ -77,7 +77,7 @@ uint afterNode(uint node) {
   return afterNode(node, boxOf(node).sidesLink.w);
 }
 
-// The node on the way from the root to a leaf that lies so many levels below the root.
+// The node that many levels below the root, on the way from it to a leaf.
 uint nodeAtLevel(uint root, uint leaf, uint level) {
   uint node = root;
   for (uint i = 0u; i < level && node != leaf; ++i) {
@@ -96,8 +96,7 @@ void main() {
     uvec4 tree = objects[uint(surface.w) - 1u].tree;
     mat2x3 sides = sidesOf(boxOf(tree.x));
     float across = middleUnitOfBoxes().w * length(sides[1] - sides[0]);
-    // The place lies on its piece except for rounding, so the search starts there and then goes
-    // further off.
+    // The place lies on its piece except for rounding, so the search starts there and then goes further off.
     Nearest nearest;
     nearest.piece = noPiece;
     for (float part = 1.0 / 65536.0; part < 16.0 && nearest.piece == noPiece; part *= 64.0)

@@ -76,8 +76,7 @@ float mirroredShare(MediumData medium, Mirror mirror, float cosine) {
   return reflectedAlbedo(medium, cosine);
 }
 
-// `bodies` is radiance of what is mirrored of the scene, or of the surface here where that is not
-// known.
+// `bodies` is radiance of what is mirrored of the scene, or of the surface here where that is not known.
 vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
                 vec3 toCamera, float sky, vec3 bodies, Mirror mirror, float share) {
   float eta = medium.boundary.x;
@@ -107,8 +106,8 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
     lifted = liftedPlace(place);
   }
   float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
-  // By reciprocity a surface lets out towards the camera what it does not mirror from there: a rough one, where it is
-  // grazed, more than a smooth one.
+  // By reciprocity a surface lets out towards the camera what it does not mirror from there. A rough surface lets out
+  // more than a smooth one where it is grazed.
   float mirrored = mirroredShare(medium, mirror, cosine);
   bool smoothly = specular == 0u || leavesSmooth != 0u;
   float kept = smoothly ? fresnelReflectance(medium.boundary.x, cosine) : mirrored;

@@ -28,8 +28,7 @@ const float leastAlphaShared = 0.04;
 // Some translucent surfaces have a roughness or normals of their own, and are not smooth.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 
-// Least cosine between two corners' normals: surfaces that turn further may mirror other things
-// between them.
+// Least cosine between two corners' normals: surfaces that turn further may mirror other things between them.
 const float leastCosine = 0.97;
 
 // A work group has a square of the smallest blocks, this many across, known by their Morton numbers: the
@@ -39,8 +38,7 @@ const uint smallest = widthOfGroup * widthOfGroup;
 const uint levels = 2u;  // 4×4 and 2×2 pixels
 
 shared bool broken[levels][smallest];  // no single surface fills the block
-shared uint asked[levels + 1u][smallest];  // blocks of each level, and last those that disagree to the
-                                           // end
+shared uint asked[levels + 1u][smallest];  // blocks of each level, and last those that disagree to the end
 shared uint askedCount[levels + 1u];
 // For each block on a list, a bit for each kind of answer; later how many rays went, and above 16 bits how many
 // are free.
@@ -147,7 +145,7 @@ void askCorner(uvec2 place) {
   rayOfCorner[corner] = rayOfKind((place.x & 1u) + 2u * (place.y & 1u), here);
 }
 
-// What the rays from a block's corners say, a bit for each kind of answer.
+// The answers of the rays from a block's corners, a bit for each kind of answer.
 uint answerOfCorners(uint block) {
   uvec2 first = placeOfMorton(block);
   uint answer = 0u;
@@ -226,8 +224,7 @@ void ask(uint level) {
   barrier();
 }
 
-// Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send
-// alone.
+// Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send alone.
 void askDisagreeing() {
   uint count = askedCount[levels];
   uint apart = max(count, 1u);

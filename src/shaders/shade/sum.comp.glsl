@@ -1,5 +1,5 @@
 // Adds the surfaces that a pixel sees to what lies behind them. They follow each other in the list, so
-// that they are added in one order.
+// the order of the sum is fixed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"

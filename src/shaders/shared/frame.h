@@ -53,8 +53,8 @@ struct LightData {
 struct FrameData {
   mat4 worldToClip;
   vec4 cameraPosition;  // xyz mm, w 1; for an orthographic camera the direction to it, w 0
-  vec4 cameraAxis;      // xyz unit, towards the scene; w: 1 where what lies nearer than it is seen
-                        // too
+  vec4 cameraAxis;      // xyz unit, towards the scene; w: 1 where what is nearer than the scene is
+                        // seen too
   uvec4 counts;         // x: lights with shadow maps, which come first; y: size of these;
                         // z: antialiasing samples; w: all lights
   LightData lights[maxLights];

@@ -43,7 +43,7 @@ struct SoftMotion {
   float aheadZ;
 };
 
-/// What a call of step does.
+/// What a step does.
 struct SoftStep {
   vec4 grab;         // xyz: a place to take hold of; w: 1 / radius, or 0 to take none
   vec4 goal;         // xyz: how far the hold is to go; w: part of that way per substep

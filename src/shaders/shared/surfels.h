@@ -20,7 +20,7 @@ OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
 
 /// A part of a triangle, the same one however the triangle is deformed.
 struct SurfelPiece {
-  uint a;  // vertices of the triangle; this and the object with setBit
+  uint a;  // vertices of the triangle; these and the object have setBit
   uint b;
   uint c;
   uint object;

@@ -1,12 +1,11 @@
-// Where a soft body's vertices are: moved by quadratic B-splines over the cage's grid, whose slope is
-// continuous, so that no cell shows.
+// Where a soft body's vertices are. Quadratic B-splines over the cage's grid move them; their slope
+// is continuous, so that no cell shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
 #include "lib/texels.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three per vertex,
-                                                                              // mm
+layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three per vertex, mm
 TEXELS(1, grid);
 layout(std430, set = 0, binding = 2) writeonly buffer Positions { float positions[]; };
 

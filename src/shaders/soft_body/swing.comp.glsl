@@ -1,5 +1,5 @@
-// A soft body's cage in time: XPBD with small steps of one iteration (Macklin et al. 2019), cell after
-// cell, those of one colour at once. One group does all substeps.
+// A soft body's cage in time: XPBD with small steps of one iteration (Macklin et al. 2019). It goes
+// cell after cell, those of one colour at once. One group does all substeps.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/soft_cell.glsl"

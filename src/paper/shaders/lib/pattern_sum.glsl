@@ -17,12 +17,11 @@ uint nearEvaluations() {
   return pattern.head.nearSamples + 1u;
 }
 
-// The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each
-// sample weighted by the texels it stands for (section 4.2). The cell at the centre, where the
-// profile is sharpest, is integrated rather than sampled. The square of a sample's distance grows by
-// that of the extent of its piece of surface: a sample that comes close in space, where the surface
-// folds, must not outshine the centre. The pattern is that of the medium, the same for all
-// invocations.
+// The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each sample
+// weighted by the texels it stands for (section 4.2). The cell at the centre, where the profile is
+// sharpest, is integrated rather than sampled. The square of a sample's distance grows by that of the
+// extent of its piece of surface: a sample that comes close in space, where the surface folds, must
+// not outshine the centre. The pattern is that of the medium, the same for all invocations.
 vec3 nearSum(vec3 position, MediumData medium, vec2 place) {
   ivec2 centre = ivec2(place * vec2(textureSize(nearPosition, 0)));
 
