@@ -9,13 +9,13 @@
 
 namespace opaline {
 
-/// A number that tells whether a scene changed by mistake, not whether it was forged: FNV-1a of 64
-/// bits (Fowler, Noll and Vo 1991) of all that decides its pictures, and not of names and notes.
-/// With RenderOptions and the time it tells whether a picture that is kept somewhere is still that
-/// of its scene. Other versions of the library may have another number for the same scene.
+/// A number that reveals accidental changes of a scene, but no forgery: the 64-bit FNV-1a hash
+/// (Fowler, Noll and Vo 1991) of all that its pictures depend on, without names and notes. Together
+/// with RenderOptions and the time it tells whether a stored picture is still up to date. Other
+/// versions of the library may have another number for the same scene.
 OPALINE_API std::uint64_t digestOf(const Scene& scene);
 
-/// The same of any bytes.
+/// The same hash of any bytes.
 OPALINE_API std::uint64_t digestOf(std::span<const std::byte> bytes);
 
 }  // namespace opaline

@@ -11,7 +11,7 @@ namespace opaline {
 /// A latitude-longitude picture that lights a scene.
 struct EnvironmentFile {
   std::filesystem::path file;
-  float intensity = 1;         ///< what its radiance is multiplied with, in [0, 1e6]
+  float intensity = 1;         ///< factor of its radiance, in [0, 1e6]
   double rotationDegrees = 0;  ///< about +y, counter-clockwise seen from above; in [-1e6, 1e6]
 };
 
@@ -20,9 +20,9 @@ struct EnvironmentFile {
 OPALINE_API std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from);
 
 /// A latitude-longitude picture turned about +y, counter-clockwise seen from above: what shone from
-/// +z shines from +x after 90 degrees. Row by row it moves left by degrees/360 of its width; where
-/// that is no whole number of columns, a pixel is the linear mixture of the two it falls between,
-/// so that no light is lost.
+/// +z shines from +x after 90 degrees. Every row moves left by degrees/360 of its width. If that is
+/// not a whole number of columns, each pixel becomes the linear mixture of the two that it falls
+/// between, so that no light is lost.
 OPALINE_API Image turned(const Image& environment, double degrees);
 
 }  // namespace opaline

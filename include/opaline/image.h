@@ -40,13 +40,13 @@ struct Image8 {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
-/// alpha in the file A is 65535.
+/// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. A is 65535
+/// if the file has no alpha.
 struct TexturePixels {
   int width = 0;                    ///< in [1, 16384]
   int height = 0;                   ///< in [1, 16384]
   std::vector<std::uint16_t> rgba;  ///< 4 · width · height values
-  std::string name;                 ///< for whoever reads about it
+  std::string name;                 ///< for messages
 };
 
 }  // namespace opaline

@@ -19,10 +19,10 @@ struct MeasuredMedium {
 /// The rows of the table, in its order.
 OPALINE_API std::span<const MeasuredMedium> measuredMedia();
 
-/// Media that look nice and were never measured.
+/// Media that were made up for their looks and never measured.
 OPALINE_API std::span<const Medium> artisticMedia();
 
-/// Either table, by name, any case.
+/// Finds a medium in either table by its name, in any case.
 OPALINE_API std::optional<Medium> findMedium(std::string_view name);
 
 }  // namespace opaline

@@ -8,16 +8,17 @@
 
 namespace opaline {
 
-/// The scene's camera where its clip has it at a time.
+/// The scene's camera at a time of a clip.
 OPALINE_API Camera cameraAt(const Scene& scene, const SceneTime& time);
 
 /// Whether a clip moves the camera.
 OPALINE_API bool movesCamera(const Scene& scene, int clip);
 
-/// The same of its lights.
+/// The scene's lights at a time of a clip.
 OPALINE_API Lighting lightingAt(const Scene& scene, const SceneTime& time);
 
-/// An object that somebody makes of something else follows no clip any more.
+/// Removes the keys of an object's material from every clip, so that a new material stays as it is
+/// set.
 OPALINE_API void stopMaterial(Scene& scene, std::size_t object);
 
 }  // namespace opaline

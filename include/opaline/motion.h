@@ -19,7 +19,7 @@ struct Affine {
 using Quaternion = std::array<float, 4>;
 
 /// A coordinate frame that joints and objects are attached to. Its transform is scale, then
-/// rotation, then translation, or a matrix if the file gives one; the parent's transform comes
+/// rotation, then translation, or a matrix if the file gives one. The parent's transform is applied
 /// after it.
 struct Node {
   std::string name;
@@ -68,7 +68,7 @@ struct MorphTarget {
   std::vector<Vec3> normals;  ///< empty: computed from the moved triangles
 };
 
-/// A node that moves a rig, and what it does to a vertex at rest.
+/// A node that moves a rig's vertices, and the map from their rest pose to its frame.
 struct Joint {
   std::uint32_t node = 0;
   Affine inverseBind;
@@ -83,7 +83,7 @@ struct Influence {
 /// How an object's vertices follow nodes:
 /// x = toScene · Σ_j w_j world(j) · inverseBind_j · (position + Σ_t weight_t · target_t).
 struct Rig {
-  std::uint32_t node = 0;  ///< its morph weights apply; it moves the object if there are no joints
+  std::uint32_t node = 0;       ///< has the morph weights; moves the object if there are no joints
   std::vector<Vec3> positions;  ///< in the file's unit, one per vertex of the object's mesh
   std::vector<Vec3> normals;    ///< unit, one per vertex
   std::vector<MorphTarget> targets;
@@ -93,12 +93,12 @@ struct Rig {
   Affine toScene;                             ///< from the nodes' common space to mm
 };
 
-/// A deformation of everything in a scene, about the vertical axis through the middle of the box
-/// around its rest pose. The box has height H, bottom y₀ and diagonal D. With h = (y − y₀)/H:
+/// A deformation of a whole scene about the vertical axis through the middle of the box around its
+/// rest pose. The box has height H, bottom y₀ and diagonal D; h = (y − y₀)/H.
 enum class DeformerKind {
   Twist,   ///< rotates by amount · (h − ½) about the axis; amount in radians
   Bend,    ///< bends the axis into an arc of that angle, towards +x; amount in radians
-  Squash,  ///< scales the height by 1 − amount and keeps the volume; stretches below 0
+  Squash,  ///< scales the height by 1 − amount and keeps the volume; a negative amount stretches
   Wobble,  ///< a wave that travels upwards: x += amount·D·s(h)·sin 2π(h − t/period), z += half of
            ///< that with cos, s(h) = h²(3 − 2h) clamped to [0,1]; the foot stands still
 };

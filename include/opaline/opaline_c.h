@@ -8,13 +8,14 @@
 ///     OpalineRenderOptions options = {.size = sizeof options};
 ///     opalineDefaultRenderOptions(&options);
 ///
-/// Every call that can fail returns a status; opalineLastError() has the reason, and what the call
-/// was to fill stays as it was. A handle is made by one call and destroyed by another, which takes
-/// NULL too. One that was destroyed, or is of another kind, is refused as OpalineBadUse as long as
-/// no new handle has taken its place in memory. Unless said otherwise pointers are
-/// needed only during the call, texts are UTF-8 and end with a zero byte, and lengths are
-/// millimetres. Calls with different renderers may come from different threads; those with one
-/// renderer, or a view of it, come from one thread at a time, as do those with one scene.
+/// Every call that can fail returns a status. After a failure opalineLastError() has the reason,
+/// and what the call was to fill is unchanged. A handle is made by one call and destroyed by
+/// another, which also takes NULL. A handle that was destroyed, or is of another kind, is refused
+/// with OpalineBadUse as long as no new handle has taken its place in memory. Unless said
+/// otherwise, pointers are needed only during the call, texts are UTF-8 and end with a zero byte,
+/// and lengths are in millimetres. Calls with different renderers may come from different threads.
+/// Calls with one renderer and its views must come from one thread at a time, as must those with
+/// one scene.
 
 #include "opaline/c/lights.h"
 #include "opaline/c/log.h"

@@ -11,14 +11,15 @@
 
 namespace opaline {
 
-/// By index of an object: a position, mm, for each of its vertices, instead of where its mesh or
-/// rig puts them, as Renderer::replacePositions has it.
+/// By index of an object: a position for each of its vertices, mm, that replaces that of its mesh
+/// or rig, as in Renderer::replacePositions.
 using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 
-/// Where the vertices of every object are at a time, mm: the clip moves rigs, and the scene's
-/// deformers move everything but a ground. That is what the renderer draws, computed on the host,
-/// for boxes, cameras that follow, picking and export. Throws UsageError for a clip that does not
-/// exist, and for given positions that do not fit their object, are not finite or beyond 1e18 mm.
+/// The positions of every object's vertices at a time, mm. The clip moves rigs, and the scene's
+/// deformers move everything except a ground. They are those that the renderer draws, but computed
+/// on the host: for bounds, cameras that follow, picking and export. Throws UsageError for a clip
+/// that does not exist, and for given positions that do not fit their object, are not finite or
+/// beyond 1e18 mm.
 OPALINE_API std::vector<std::vector<Vec3>> positionsAt(const Scene& scene, const SceneTime& time,
                                                        const PositionsByObject& given = {});
 

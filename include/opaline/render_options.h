@@ -13,7 +13,7 @@ enum class Transport {
 
 /// The sources of the sum.
 enum class Sum {
-  Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008),
+  Pattern,  ///< a near block and eight far samples of the diffusion source map (Gong et al. 2008);
             ///< not for Transport::Boundary
   Tree,     ///< surfels in object space, in groups where the tolerance allows
   All,      ///< every surfel, one by one
@@ -31,17 +31,17 @@ enum class Site {
 enum class Aov {
   Radiance,     ///< leaving towards the camera
   Exitance,     ///< B
-  Irradiance,   ///< E, the light that has entered: from lights with shadows and from all around
-                ///< without, but not light that left and enters again. Of the surfel seen there;
-                ///< for Sum::Pattern of the diffusion source map
+  Irradiance,   ///< E of the surfel seen there, or of the diffusion source map for Sum::Pattern:
+                ///< light that has entered, from lights with shadows and from the surroundings
+                ///< without, but no light that left before and enters again
   Position,     ///< mm
   Normal,       ///< unit
   Depth,        ///< distance along the viewing axis, mm, in R, G and B
-  Evaluations,  ///< of the profile, for a pixel or interpolated from vertices, in R, G and B
+  Evaluations,  ///< of the profile, per pixel or interpolated from vertices, in R, G and B
   Object,       ///< index of the object, from 0, in R, G and B
-  /// Indices from 0 through all objects: in R of the visible surfel; in G of its cluster of
-  /// boundary transport, -1 without one; in B of the node of the tree that contains it,
-  /// RenderOptions::treeLevel below its object's root. Not for Sum::Pattern.
+  /// Indices, counted from 0 through all objects. R: the visible surfel. G: its cluster of boundary
+  /// transport, -1 without one. B: the node of the tree that contains it, RenderOptions::treeLevel
+  /// levels below its object's root. Not for Sum::Pattern.
   Surfels,
   DsmPosition,    ///< the diffusion source map: mm
   DsmNormal,      ///< the diffusion source map: unit
@@ -53,14 +53,14 @@ enum class Aov {
 OPALINE_API bool showsMap(Aov aov);
 
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
-/// channel with the shortest.
+/// channel where that is shortest.
 struct PatternOptions {
   int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples, in [0, 15]
   float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in [1e-3, 100]
   float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in [1e-3, 1000]
 };
 
-/// What describes a picture beside the scene.
+/// What describes a picture besides the scene.
 struct RenderOptions {
   int width = 1024;   ///< pixels, in [1, 16384]
   int height = 1024;  ///< pixels, in [1, 16384]
@@ -69,20 +69,22 @@ struct RenderOptions {
   Site site = Site::Auto;
   float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
   int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;    ///< largest number, for boundary transport or sky, in [64, 262144]
+  int maxClusters = 8192;    ///< largest number, for boundary transport or ambient light, in [64,
+                             ///< 262144]
   static constexpr int maxBounces = 8;
-  int bounces = 2;  ///< times that light leaves and enters again, Transport::Boundary, in [0, 8]
-  bool ambientOcclusion =
-      false;  ///< what hides the sky darkens it; Transport::Boundary always does so
+  int bounces = 2;  ///< times that light leaves and enters again with Transport::Boundary, in [0,
+                    ///< 8]
+  bool ambientOcclusion = false;  ///< whether bodies hide ambient light from each other; with
+                                  ///< Transport::Boundary they always do
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
-  bool specular = true;     ///< GGX reflection of lights and environment on top
+  bool specular = true;     ///< add the GGX reflection of lights and environment
   float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
-  int treeLevel = 64;       ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves if
-                            ///< these come first; in [0, 64]
+  int treeLevel = 64;       ///< level of the nodes in Aov::Surfels, in [0, 64]: 0 for the objects'
+                            ///< roots; leaves above that level count too
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  /// Environment and ambient light fill what no surface covers, Aov::Radiance.
+  /// Whether environment and ambient light fill the pixels of Aov::Radiance that no surface covers.
   bool environmentBehind = false;
 };
 

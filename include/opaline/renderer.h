@@ -16,20 +16,20 @@
 
 namespace opaline {
 
-// For callers who work with the renderer's Vulkan device, or give it one; see opaline/vulkan.h.
+// For callers who use the renderer's Vulkan device or pass one of their own; see opaline/vulkan.h.
 struct DevicePositions;
 struct GivenVulkan;
 struct VulkanDevice;
 
 class RendererContext;
 
-/// A device of the caller's, or none. Holds a copy of what it is made from.
+/// A device of the caller's, or none. Holds a copy of the GivenVulkan.
 class OPALINE_API Given {
  public:
   Given() = default;
   Given(const GivenVulkan& given);  // NOLINT: so that `options.given = mine` does
   Given(const GivenVulkan* given);  // NOLINT: null: none
-  /// Null without one.
+  /// Null without a device.
   const GivenVulkan* get() const { return given_.get(); }
 
  private:
@@ -44,23 +44,23 @@ struct RendererOptions {
   /// Vulkan extensions that the caller needs in addition, for example those of windows.
   std::vector<std::string> instanceExtensions;
   std::vector<std::string> deviceExtensions;
-  /// Rays by VK_KHR_ray_query instead of compute shaders; pictures differ by rounding. Empty: used
-  /// on every device with ray queries, except software devices.
+  /// Whether to trace rays by VK_KHR_ray_query instead of by compute shaders; pictures differ by
+  /// rounding. Empty: on every device that has ray queries, except software devices.
   std::optional<bool> rayQueries;
   /// MB (10⁶ bytes) of the device's memory, in [64, 1e7]; none: what the device has.
   std::optional<float> memoryLimit;
-  /// A device of the caller's instead of one that the renderer opens, see opaline/vulkan.h. Then
-  /// `device`, `validation` and the extensions stay empty.
+  /// A device of the caller's instead of one that the renderer opens; see opaline/vulkan.h. With
+  /// it, `device`, `validation` and the extensions have to stay empty.
   Given given;
   /// What Renderer::pipelineCache returned in an earlier run; spares the driver most compilations.
-  /// Anything else, and what other devices or drivers left, is as good as nothing.
+  /// Other data, and caches of other devices or drivers, have no effect.
   std::vector<std::byte> pipelineCache;
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.
 OPALINE_API std::vector<DeviceDescription> listDevices();
 
-/// Holds one scene at a time, of which any number of views make pictures. Not thread-safe.
+/// Holds one scene at a time. Any number of views make pictures of it. Not thread-safe.
 class OPALINE_API Renderer {
  public:
   explicit Renderer(const RendererOptions& options = {});
@@ -78,20 +78,21 @@ class OPALINE_API Renderer {
   /// `aovs`. Throws as View::render does, and UsageError for options out of range.
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
 
-  /// Edits of the scene, from the next submitted frame on. They remake only what depends on the
-  /// change: nothing for a time, a camera, deformers, and for a light that moves or changes its
-  /// power; tables for ambient light; the division into surfels for a medium; and never the mesh.
-  /// An environment counts as changed if it is another object. Lights, a camera and media that
-  /// differ from those of the scene as it was set no longer follow its clips. They throw Error or
-  /// UsageError as setScene() does.
+  /// Edits of the scene, from the next submitted frame on. Each remakes only what depends on it:
+  /// nothing for a time, a camera, deformers, or a light that moves or changes its power; tables
+  /// for ambient light; the division into surfels for a medium; and never the mesh. An environment
+  /// counts as changed if it is another object. Lights, a camera and media that differ from those
+  /// of the scene as it was set no longer follow its clips. These calls throw Error or UsageError
+  /// as setScene() does.
   void setTime(const SceneTime& time);
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
-  /// The suns of the scene's environment, brightest first: lights beside its own, taken out of it.
+  /// The suns of the scene's environment, brightest first. They are taken out of the picture and
+  /// shine as lights besides the scene's own.
   const std::vector<DirectionalLight>& suns() const;
   void setMedium(std::size_t object, const Medium& medium);
-  /// What is opaque stays so, and so does what is translucent: UsageError. Other numbers remake
-  /// tables; other textures are packed anew.
+  /// An opaque object has to stay opaque and a translucent one translucent, or UsageError is
+  /// thrown. New numbers remake tables; new textures are packed again.
   void setMaterial(std::size_t object, const Material& material);
   void setDeformers(const std::vector<Deformer>& deformers);
 
@@ -113,7 +114,7 @@ class OPALINE_API Renderer {
   /// Throws Error when there is no memory for them.
   std::vector<std::byte> pipelineCache() const;
 
-  /// Bytes of the device's memory that this renderer and its views take now.
+  /// Bytes of the device's memory that this renderer and its views occupy now.
   std::size_t memoryBytes() const;
 
   /// Messages of the validation layer so far; 0 without validation.

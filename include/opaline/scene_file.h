@@ -19,8 +19,8 @@
 
 namespace opaline {
 
-/// Where an object stands, seen from its model: a matrix, or else scaled, turned about x, then y,
-/// then z, all fixed axes, and moved.
+/// The place of an object relative to its model: a matrix, or else a scale, rotations about the
+/// fixed axes x, y and z in this order, and a translation.
 struct Placement {
   std::optional<std::array<double, 16>> rows;  ///< affine, row by row, lengths in mm
   Vec3 translationMm{};
@@ -28,12 +28,13 @@ struct Placement {
   double scale = 1;
 };
 
-/// A model and what is done to it before it meets the others.
+/// A model and how it is changed before it joins the others.
 struct ModelSource {
-  std::filesystem::path file;        ///< or builtin:bear, builtin:teapot
-  std::optional<double> diagonalMm;  ///< that it is scaled to; none: the file's unit
+  std::filesystem::path file;        ///< or builtin:bear or builtin:teapot
+  std::optional<double> diagonalMm;  ///< length its diagonal is scaled to, mm; none: the file's
+                                     ///< unit counts
   std::optional<std::filesystem::path> morphTo;
-  std::optional<Placement> placement;  ///< of all of it, its lights and camera too
+  std::optional<Placement> placement;  ///< of the whole model with its lights and camera
 
   /// Whether it names a model that the library carries.
   bool isBuiltIn() const { return file.string().starts_with("builtin:"); }
@@ -42,15 +43,16 @@ struct ModelSource {
 /// What a scene file says of a material.
 struct MaterialSource {
   bool isOpaque = false;
-  std::optional<std::string> medium;  ///< of a translucent one its name, else its appearance
+  std::optional<std::string> medium;  ///< name of a translucent one's medium; none: given by
+                                      ///< `appearance`
   options::Chosen<Appearance> appearance;
   options::Chosen<TranslucentSurface> surface;  ///< of a translucent one
   options::Chosen<OpaqueMaterial> opaque;
   std::map<std::string, std::filesystem::path> textures;  ///< by key
-  Medium became;  ///< the medium of a translucent one, by all of this
+  Medium became;  ///< the medium that all of this gives a translucent one
 };
 
-/// What a scene file says of an object's own material, whatever that is: other numbers.
+/// Numbers by which a scene file changes an object's own material, whatever that is.
 struct MaterialNumbers {
   options::Chosen<OpaqueMaterial> opaque;       ///< of an opaque one
   options::Chosen<TranslucentSurface> surface;  ///< of a translucent one
@@ -62,9 +64,11 @@ struct MaterialNumbers {
 struct SceneSource {
   std::optional<std::filesystem::path> sceneFile;  ///< the .toml that says all of this
   std::vector<ModelSource> models;                 ///< at least one
-  std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are
+  std::map<std::string, Placement> placements;     ///< by the object's name; other objects stay in
+                                                   ///< place
   std::map<std::string, MaterialSource> materials;
-  std::map<std::string, std::string> materialOfObject;  ///< by the object's name, where one is said
+  std::map<std::string, std::string> materialOfObject;  ///< name of a material by the name of its
+                                                        ///< object
   std::map<std::string, MaterialNumbers> numbersOfObject;  ///< by the object's name
   std::optional<EnvironmentFile> environment;
   std::optional<ColorModel> colorModel;  ///< as in LoadOptions
@@ -78,34 +82,34 @@ struct SceneFileSettings {
   bool operator==(const SceneFileSettings&) const = default;
 };
 
-/// A scene as a file has it, and what the file says beside.
+/// A scene from a file, and what else the file says.
 struct LoadedScene {
   Scene scene;
   SceneFileSettings settings;
   SceneSource source;
-  /// Where the model is one; `scene` is its first mesh.
+  /// If the model is a sequence of meshes, the sequence; `scene` is then its first mesh.
   std::shared_ptr<const MeshSequence> sequence;
 };
 
-/// Reads a .toml scene: loadScene() without losing the settings and where all of it came from. For
+/// Reads a .toml scene like loadScene(), and keeps its settings and the origin of its parts. For
 /// any other file the settings are empty.
 OPALINE_API LoadedScene loadSceneFile(const std::filesystem::path& file,
                                       const LoadOptions& options = {});
 
-/// The same of several models in one scene, each as its file has it; a diagonal is that of all
-/// together. Throws UsageError for what can only stand alone: a .toml scene, numbered meshes, a
-/// morph.
+/// The same for several models in one scene, each as its file has it. LoadOptions::diagonalMm is
+/// the diagonal of all together. Throws UsageError for what cannot be combined: a .toml scene,
+/// numbered meshes, a morph.
 OPALINE_API LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                                        const LoadOptions& options = {});
 
-/// Of a scene that is loaded from a model's file with these options, or is built in.
+/// The source of a scene that is loaded from a model's file with these options, or is built in.
 OPALINE_API SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options);
 
-/// Every file that a scene was made of, and those that its model names, textures among them,
-/// whether or not they are read: what must not be written over. Of numbered meshes none.
+/// The files that must not be overwritten: every file that a scene was made of, and every file that
+/// its model names, such as textures, whether or not they were read. Excludes numbered meshes.
 OPALINE_API std::vector<std::filesystem::path> filesOf(const SceneSource& source);
 
-/// The colour of the scene's ground and its y; none without one.
+/// The colour and height of the scene's ground; none if it has no ground.
 OPALINE_API std::optional<Ground> describeGround(const Scene& scene);
 
 /// Everything that a .toml scene can say.
@@ -114,38 +118,37 @@ struct SceneDescription {
   struct ObjectMedium {
     std::string object;
     Medium medium;
-    bool isPainted = false;  ///< with what the object's own material has as colours
+    bool isPainted = false;  ///< in the colours of the object's own material
   };
 
   SceneSource source;
-  /// The middle of the box around all objects in the rest pose, mm: what the file counts places
-  /// from.
+  /// The middle of the box around all objects in the rest pose, mm. Places in the file are relative
+  /// to it.
   Vec3 centreMm{};
-  /// Of every translucent object that is not all that its material in the file is.
+  /// One for every translucent object that differs from its material in the file.
   std::vector<ObjectMedium> media;
-  bool mediaOfAll = true;  ///< there are no others
+  bool mediaOfAll = true;  ///< no object is opaque or painted, or has a material of the file
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
   std::vector<SpotLight> spots;
   std::vector<AreaLight> areas;
   Rgb ambient{};
   Camera camera;
-  std::optional<Ground> ground;  ///< its height from the centre
+  std::optional<Ground> ground;  ///< its height is relative to `centreMm`
   std::vector<Deformer> deformers;
   SceneFileSettings settings;
 };
 
-/// A scene that was loaded from `source`, whatever became of its media, lights, camera and
-/// deformers since. Throws Error for an environment without a file.
+/// Describes a scene that was loaded from `source`; its media, lights, camera and deformers may
+/// have changed since. Throws Error for an environment that has no file.
 OPALINE_API SceneDescription describe(const Scene& scene, SceneSource source,
                                       SceneFileSettings settings);
 
-/// Writes a .toml scene that loads as what is described: every number comes back bit by bit, but
-/// for places that are nearer than 1e-8 of the way to the centre to the origin of the coordinates.
-/// Paths are relative to its folder but where only the root of the file system is common. Throws
-/// UsageError for a name that does not end in .toml, and Error for what no scene file can say, as
-/// two objects of one name and different media, or when it cannot be written. Returns
-/// where it is.
+/// Writes a .toml scene that loads as what is described. Every number comes back bit by bit, except
+/// for places whose distance to the origin is less than 1e-8 of that to the centre. Paths are
+/// relative to its folder unless they share only the root of the file system. Throws UsageError for
+/// a name that does not end in .toml; Error when it cannot be written, or for what no scene file
+/// can express, such as two objects of the same name and different media. Returns the file's path.
 OPALINE_API std::filesystem::path writeScene(const Target& target,
                                              const SceneDescription& description);
 

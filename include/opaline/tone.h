@@ -8,7 +8,7 @@
 
 namespace opaline {
 
-/// From radiance to what a display can show.
+/// The curve from radiance to what a display can show.
 enum class ToneCurve {
   None,     ///< clip at 1
   Neutral,  ///< Khronos PBR Neutral (Khronos Group 2024)
@@ -18,16 +18,16 @@ enum class ToneCurve {
 struct ToneOptions {
   float exposureStops = 0;  ///< radiance is multiplied by 2^exposureStops, in [-32, 32]
   ToneCurve curve = ToneCurve::Neutral;
-  std::optional<Rgb> background;  ///< linear, under the picture; without it alpha is coverage
+  std::optional<Rgb> background;  ///< linear, laid under the picture; none: alpha is coverage
 };
 
-/// IEC 61966-2-1: linear in [0,1] to encoded in [0,1].
+/// Encodes sRGB by IEC 61966-2-1: linear in [0,1] to encoded in [0,1].
 OPALINE_API float encodeSrgb(float linear);
 
-/// The way back: encoded in [0,1] to linear in [0,1].
+/// The inverse: encoded in [0,1] to linear in [0,1].
 OPALINE_API float decodeSrgb(float encoded);
 
-/// Exposure, tone curve, sRGB.
+/// Applies exposure and tone curve and encodes sRGB.
 OPALINE_API Image8 toneMap(const Image& radiance, const ToneOptions& options = {});
 
 }  // namespace opaline

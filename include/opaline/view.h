@@ -45,8 +45,8 @@ struct Solution {
 /// How the frames of a view were made.
 struct RenderReport {
   DeviceDescription device;
-  Transport transport = Transport::Dipole;  ///< BetterDipole if Boundary was requested and nothing
-                                            ///< has an inside
+  Transport transport = Transport::Dipole;  ///< BetterDipole if Boundary was requested but no
+                                            ///< object has an inside
   Sum sum = Sum::Tree;
   Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;
@@ -55,13 +55,13 @@ struct RenderReport {
   std::size_t clusters = 0;  ///< unknowns of Transport::Boundary
   /// Of Transport::Boundary in the last frame: one for direct light, then one for each bounce.
   std::vector<Solution> solutions;
-  std::vector<PassTime> passes;    ///< in the order they ran
-  double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
-  std::uint32_t dispatches = 0;    ///< of the last frame
-  std::uint32_t barriers = 0;      ///< of the last frame
-  std::uint32_t recordings = 0;    ///< of command buffers for the last frame; 0 if it took the same
-                                   ///< commands as the frame before last
-  double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
+  std::vector<PassTime> passes;  ///< in the order they ran
+  double frameMilliseconds = 0;  ///< GPU time, median over the frames after the first
+  std::uint32_t dispatches = 0;  ///< of the last frame
+  std::uint32_t barriers = 0;    ///< of the last frame
+  std::uint32_t recordings = 0;  ///< of command buffers for the last frame; 0 if it reused those of
+                                 ///< the frame before last
+  double peakMemoryMegabytes = 0;  ///< highest use of the device's memory by this renderer
 };
 
 /// Pictures, in the requested order, and a report.
@@ -77,48 +77,47 @@ struct Frame {
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
   std::vector<Solution> solutions;  ///< as in RenderReport
-  bool provisional = false;         ///< the surface was still divided for the old media: see
-                                    ///< FrameOrder::patient
+  bool provisional = false;  ///< it used the surfels of the old media; see FrameOrder::patient
 };
 
-/// What one frame is to give.
+/// What one frame is to deliver.
 struct FrameOrder {
-  std::vector<Aov> aovs{Aov::Radiance};  ///< brought to the host
-  bool onDevice = false;  ///< leave the radiance on the device as well, as View::picture
-  bool exitance = false;  ///< leave the exitance of vertices on the device, as View::exitance
-  bool patient = true;    ///< wait until the surface is divided again for changed media; otherwise
-                          ///< use the old division while another thread makes the new one
-  bool reuseLight = false;  ///< the same picture, sooner: if only camera, size and samples changed
-                            ///< since the view's last frame, reuse its light; if only lights did
-                            ///< as well, reuse what tells where everything lies, and shadow maps of
-                            ///< lights that did not move; if only lights did, what pixels see
-  /// Left on the device as well, as View::picture(Aov). Not those of the diffusion source map.
+  std::vector<Aov> aovs{Aov::Radiance};  ///< copied to the host
+  bool onDevice = false;  ///< also leave the radiance on the device, for View::picture
+  bool exitance = false;  ///< leave the exitance of vertices on the device, for View::exitance
+  bool patient = true;  ///< after a change of media, wait until the surface is divided into surfels
+                        ///< again; otherwise use the old surfels while another thread makes new
+                        ///< ones
+  /// Makes the same picture sooner. If only camera, size and samples changed since the view's last
+  /// frame, it reuses that frame's light. If lights changed too, it reuses geometry and the shadow
+  /// maps of lights that did not move; if only lights changed, also what each pixel sees.
+  bool reuseLight = false;
+  /// Also left on the device, for View::picture(Aov). Excludes those of the diffusion source map.
   std::vector<Aov> aovsOnDevice;
 };
 
-/// A matrix, one column after the other, that is multiplied with columns.
+/// A matrix in column-major order, which multiplies column vectors.
 using Matrix = std::array<float, 16>;
 
-/// A camera as programs have it that draw by themselves: any perspective, with the projection's
-/// middle wherever it likes, or an orthographic projection, which shows what is behind its near
-/// plane.
+/// The camera of a program that also draws by itself: any perspective projection, off-centre ones
+/// included, or an orthographic projection, of which only what lies beyond the near plane is shown.
 struct CameraMatrices {
   Matrix worldToView{};  ///< from millimetres
   /// To Vulkan's clip space: x to the right and y down of -w to w, z of 0 to w. Depth may be
   /// reversed, with or without a far plane. An orthographic picture is not mirrored: what is to the
   /// right, what is below and the line of sight are a right-handed system.
   Matrix viewToClip{};
-  Vec2
-      jitterPixels{};  ///< by which the picture is moved right and down, if viewToClip does not yet
+  Vec2 jitterPixels{};  ///< shift of the picture to the right and down, unless viewToClip contains
+                        ///< it
 };
 
-/// A picture of a renderer's scene that is made again and again: its size, its method and where it
-/// is seen from. A view owns its images, what it has prepared on the device and the light that its
-/// frames have found. Dropping a view frees all of it, as soon as the device has finished.
+/// A way to picture a renderer's scene, frame after frame: a size, a method and a camera. A view
+/// owns its images, what it prepared on the device and the light of its frames. Destroying a view
+/// frees all of that as soon as the device has finished.
 ///
-/// All views of a renderer share the scene and its time, and those with the same maxSurfels and
-/// maxClusters its division into surfels and clusters. The renderer must outlive its views. Not
-/// thread-safe: use them on the renderer's thread.
+/// All views of a renderer share the scene and its time. Those with the same maxSurfels and
+/// maxClusters also share its division into surfels and clusters. The renderer must outlive its
+/// views. Not thread-safe: use them on the renderer's thread.
 class OPALINE_API View {
  public:
   /// Throws UsageError for options out of range.
@@ -129,17 +128,17 @@ class OPALINE_API View {
   View(const View&) = delete;
   View& operator=(const View&) = delete;
 
-  /// From the next frame on. The next frame makes new images for another size, new tables for
-  /// another transport, pattern or roughness, and new shadow maps for another shadowSize. No other
-  /// option costs anything to change. Throws UsageError for options out of range.
+  /// Takes effect with the next frame. That frame makes new images for another size, new tables for
+  /// another transport, pattern or roughness, and new shadow maps for another shadowSize. Other
+  /// options cost nothing to change. Throws UsageError for options out of range.
   void setOptions(const RenderOptions& options);
   const RenderOptions& options() const;
 
-  /// A camera of its own from the next frame on, or again the scene's. Throws Error for one that
-  /// sees nothing.
+  /// Gives the view a camera of its own from the next frame on; without a value, the scene's again.
+  /// Throws Error for a camera that sees nothing.
   void setCamera(const std::optional<Camera>& camera);
 
-  /// The same by matrices. Throws UsageError for what is no projection.
+  /// The same by matrices. Throws UsageError for a matrix that is not a projection.
   void setCamera(const CameraMatrices& matrices);
 
   /// Renders one frame and waits for it. Throws UsageError for a variable that the method does not
@@ -154,37 +153,39 @@ class OPALINE_API View {
   /// camera, time, lights or positions have changed, it allocates nothing.
   void submit(const FrameOrder& order = {});
 
-  /// The same after others' work and before it, and with outputs of theirs; see opaline/vulkan.h.
+  /// The same, ordered among the caller's own work and with outputs in its memory; see
+  /// opaline/vulkan.h.
   void submit(const FrameSubmission& submission, const FrameOrder& order = {});
 
   /// Makes all that the next frame needs, which submits work to the queue. record() calls it too.
-  /// While no option, medium or scene changes, there is nothing to do. Throws as render() does.
+  /// Unless an option, a medium or the scene has changed, it does nothing. Throws as render() does.
   void prepare(const FrameOrder& order = {});
 
-  /// Records one frame into a command buffer of the caller's, who submits it; see opaline/vulkan.h.
-  /// After prepare() nothing is submitted here. Waits until the frame before last of this view has
-  /// finished. Throws as submit() does; then reset the command buffer.
+  /// Records one frame into a command buffer that the caller submits; see opaline/vulkan.h. After
+  /// prepare() it submits nothing itself. Waits until the frame before last of this view has
+  /// finished. Throws as submit() does; the command buffer then has to be reset.
   void record(const FrameRecording& recording, const FrameOrder& order = {});
 
-  /// Waits for the oldest frame that was submitted or recorded and returns it. Frames that bring
-  /// nothing to the host need not be collected: they are forgotten when others take their place.
-  /// Throws UsageError when there is none.
+  /// Waits for the oldest frame that was submitted or recorded and returns it. Frames without
+  /// pictures for the host need not be collected: later frames take their place. Throws UsageError
+  /// when there is none.
   void collect(Frame& frame);
 
-  /// The radiance of the frame submitted last, if it was to leave it on the device. Throws
-  /// UsageError if it was not.
+  /// The radiance that the last submitted frame left on the device. Throws UsageError if its order
+  /// did not ask for that.
   DeviceImage picture() const;
 
-  /// The same of one of FrameOrder::aovsOnDevice. All but the radiance are as View::collect() has
-  /// them, also in alpha, and live until another scene or size is set, or the view goes away.
+  /// The same for one of FrameOrder::aovsOnDevice. All but the radiance have the values, alpha
+  /// included, that View::collect() returns. They live until another scene or size is set or the
+  /// view is destroyed.
   DeviceImage picture(Aov aov) const;
 
-  /// Of an object, what the frame submitted or recorded last has left, if it was to leave it.
-  /// Throws UsageError if it was not, or for an object that there is not.
+  /// The exitance of an object's vertices that the last submitted or recorded frame left on the
+  /// device. Throws UsageError if its order did not ask for that, or if there is no such object.
   DeviceBuffer exitance(std::size_t object) const;
 
-  /// How the frames of this scene were made that were collected since the last render(), and its
-  /// own. Throws UsageError before the first.
+  /// How the last render() and the frames of this scene collected since then were made. Throws
+  /// UsageError before the first frame.
   RenderReport report() const;
 
  private:

@@ -10,14 +10,14 @@ OPALINE_C_BEGIN
 // At most 16 in all; see opaline/scene.h. Radiance, irradiance and intensity are linear RGB, in
 // [0, 1e30]; directions have unit length.
 
-/// Away with all lights, ambient light and environment.
+/// Removes all lights, ambient light and environment.
 OPALINE_API OpalineStatus opalineClearLights(OpalineScene* scene);
 
-/// A key light from behind at the side, a weak fill and weak ambient light, instead of all others.
+/// Replaces all lights by a key light from behind at the side, a weak fill and weak ambient light.
 OPALINE_API OpalineStatus opalineUseDefaultLights(OpalineScene* scene);
 
-/// Lights without size; a spot shines fully inside of the inner angle and not beyond the outer one,
-/// both from its axis.
+/// Lights without size. A spot has full intensity within the inner angle from its axis and none
+/// beyond the outer one.
 OPALINE_API OpalineStatus opalineAddDirectionalLight(OpalineScene* scene,
                                                      const float directionToLight[3],
                                                      const float irradiance[3]);
@@ -42,16 +42,19 @@ OPALINE_API OpalineStatus opalineAddSphereLight(OpalineScene* scene, const float
 OPALINE_API OpalineStatus opalineAddTubeLight(OpalineScene* scene, const float fromMm[3],
                                               const float toMm[3], float radiusMm,
                                               const float radiance[3]);
-/// Of the area light that was added as number `light`, from 0: whether it shines to the other side
-/// too, as rectangles and discs can, and whether the picture itself shows it. 1 or 0.
+/// Sets whether an area light also shines to the other side, as rectangles and discs can, and
+/// whether the picture itself shows it: 1 or 0. `light` counts area lights from 0 as they were
+/// added.
 OPALINE_API OpalineStatus opalineSetAreaLight(OpalineScene* scene, size_t light, int32_t twoSided,
                                               int32_t visible);
-/// The same radiance from all directions.
+/// Light of the same radiance from all directions.
 OPALINE_API OpalineStatus opalineSetAmbientLight(OpalineScene* scene, const float radiance[3]);
-/// A latitude-longitude picture, .exr or .hdr, times `intensity`, turned about +y.
+/// A latitude-longitude picture, .exr or .hdr, whose radiance is multiplied by `intensity`, turned
+/// about +y.
 OPALINE_API OpalineStatus opalineSetEnvironment(OpalineScene* scene, const char* file,
                                                 float intensity, double rotationDegrees);
-/// The same from memory: 4 · width · height floats, linear R G B and one that is not read, copied.
+/// The same from memory: 4 · width · height floats, which are copied. They are linear R G B and one
+/// that is not read.
 OPALINE_API OpalineStatus opalineSetEnvironmentPixels(OpalineScene* scene, const float* rgba,
                                                       int32_t width, int32_t height,
                                                       float intensity, double rotationDegrees);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Paint, surfaces and opaque materials of objects in C; part of opaline/opaline_c.h. What the
-/// numbers mean stands beside the same ones in opaline/material.h.
+/// Paint, surfaces and opaque materials of objects in C; part of opaline/opaline_c.h.
+/// opaline/material.h explains the numbers, which have the same names there.
 
 #include "opaline/c/scenes.h"
 #include "opaline/c/status.h"
@@ -11,15 +11,15 @@ OPALINE_C_BEGIN
 /// The pixels of textures, in the host's memory.
 typedef struct OpalinePixels OpalinePixels;
 
-/// R G B A, rows from top to bottom, as a picture file stores them: colours sRGB, all else linear.
-/// `bitsPerChannel` is 8 or 16. Copied.
+/// Copies pixels R G B A, rows from top to bottom, as a picture file stores them: colours in sRGB,
+/// all else linear. `bitsPerChannel` is 8 or 16.
 OPALINE_API OpalineStatus opalineCreatePixels(const void* rgba, int32_t bitsPerChannel,
                                               int32_t width, int32_t height,
                                               OpalinePixels** pixels);
-/// Scenes that have them in textures keep them.
+/// Textures of scenes keep the pixels that they use.
 OPALINE_API void opalineDestroyPixels(OpalinePixels* pixels);
 
-/// How a texture goes on outside of [0, 1].
+/// How a texture continues outside of [0, 1].
 typedef enum OpalineWrap {
   OpalineWrapRepeat = 0,
   OpalineWrapMirroredRepeat = 1,
@@ -33,15 +33,15 @@ typedef struct OpalineTexture {
   OpalineWrap wrapU;
   OpalineWrap wrapV;
   int32_t interpolated;  ///< 1 or 0
-  int32_t coordinates;   ///< which of the object's sets, 0 or 1
-  float transform[6];    ///< from these to the place in the picture: rows of an affine map
+  int32_t coordinates;   ///< which of the object's two sets, 0 or 1
+  float transform[6];    ///< rows of an affine map from these to the picture
 } OpalineTexture;
 
-/// Fills a struct whose size has been set. There are no pixels in it yet.
+/// Fills a struct whose size has been set, except for its pixels.
 OPALINE_API OpalineStatus opalineDefaultTexture(OpalineTexture* texture);
 
-/// Places of an object's vertices in textures, two floats each. `set` is 0 or 1, `strideBytes` from
-/// one vertex to the next; 0: 8.
+/// Texture coordinates of an object's vertices, two floats each. `set` is 0 or 1. `strideBytes` is
+/// the distance from one vertex to the next; 0: 8.
 OPALINE_API OpalineStatus opalineSetObjectTextureCoordinates(OpalineScene* scene, size_t object,
                                                              int32_t set, const float* coordinates,
                                                              size_t vertexCount,
@@ -60,14 +60,14 @@ typedef struct OpalinePaint {
   const OpalineTexture* colorTexture;  ///< may be NULL
 } OpalinePaint;
 
-/// NULL: without paint.
+/// NULL removes the paint.
 OPALINE_API OpalineStatus opalineSetObjectPaint(OpalineScene* scene, size_t object,
                                                 const OpalinePaint* paint);
 
 /// How rough and uneven the surface of a translucent body is; see TranslucentSurface.
 typedef struct OpalineSurface {
   size_t size;             ///< sizeof(OpalineSurface)
-  const float* roughness;  ///< in [0, 1]; NULL: that of OpalineRenderOptions, or 1 beside a texture
+  const float* roughness;  ///< in [0, 1]; NULL: that of OpalineRenderOptions, or 1 with a texture
   const OpalineTexture* metallicRoughnessTexture;  ///< may be NULL
   const OpalineTexture* normalTexture;             ///< may be NULL
   float normalScale;
@@ -76,7 +76,7 @@ typedef struct OpalineSurface {
 /// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultSurface(OpalineSurface* surface);
 
-/// NULL: as OpalineRenderOptions has it.
+/// NULL: the mesh's normals and the roughness of OpalineRenderOptions.
 OPALINE_API OpalineStatus opalineSetObjectSurface(OpalineScene* scene, size_t object,
                                                   const OpalineSurface* surface);
 
@@ -111,7 +111,7 @@ typedef struct OpalineOpaqueMaterial {
 /// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultOpaqueMaterial(OpalineOpaqueMaterial* material);
 
-/// NULL: translucent again, of the medium that the object has.
+/// NULL makes the object translucent again, with the medium that it has.
 OPALINE_API OpalineStatus opalineSetObjectOpaque(OpalineScene* scene, size_t object,
                                                  const OpalineOpaqueMaterial* material);
 

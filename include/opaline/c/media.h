@@ -15,17 +15,17 @@ typedef struct OpalineMedium {
   double g;                    ///< mean cosine of scattering, in [-0.99, 0.99]
 } OpalineMedium;
 
-/// A medium by its name, such as "marble", in any case.
+/// Finds a medium by its name, such as "marble", in any case.
 OPALINE_API OpalineStatus opalineFindMedium(const char* name, OpalineMedium* medium);
 
-/// How many media have names, and their names. NULL beyond the last; others live for ever.
+/// How many media have names, and their names, which live for ever; NULL beyond the last.
 OPALINE_API size_t opalineMediumCount(void);
 OPALINE_API const char* opalineMediumName(size_t index);
 
 /// What the colour of an appearance means; see ColorModel in opaline/medium.h.
 typedef enum OpalineColorModel { OpalineColorObserved = 0, OpalineColorKhr = 1 } OpalineColorModel;
 
-/// A medium by what is seen of it; see Appearance in opaline/medium.h.
+/// A medium described by its look; see Appearance in opaline/medium.h.
 typedef struct OpalineAppearance {
   size_t size;               ///< sizeof(OpalineAppearance)
   double color[3];           ///< as colorModel says, in [0, 1]
@@ -33,17 +33,18 @@ typedef struct OpalineAppearance {
   double g;                  ///< mean cosine of scattering, in [-0.99, 0.99]
   double eta;                ///< index of refraction, in [1.01, 1.6]
   OpalineColorModel colorModel;
-  double ballMm;  ///< diameter of the ball that has the color; 0: of a body without end
+  double ballMm;  ///< diameter of the ball that has the color, mm; 0: an infinitely thick body has
+                  ///< it
 } OpalineAppearance;
 
 /// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultAppearance(OpalineAppearance* appearance);
 
-/// The medium that looks like that.
+/// The medium with this appearance.
 OPALINE_API OpalineStatus opalineMediumOfAppearance(const OpalineAppearance* appearance,
                                                     OpalineMedium* medium);
 
-/// The other way: the observed colour of a thick body of it.
+/// The inverse: the observed colour of a thick body of the medium.
 OPALINE_API OpalineStatus opalineColorOfMedium(const OpalineMedium* medium, float color[3]);
 
 OPALINE_C_END

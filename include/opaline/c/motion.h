@@ -11,7 +11,7 @@ OPALINE_C_BEGIN
 typedef struct OpalineClipFacts {
   size_t size;       ///< sizeof(OpalineClipFacts)
   const char* name;  ///< lives until the scene changes
-  double seconds;    ///< a time beyond is taken modulo this
+  double seconds;    ///< length; a time beyond it is taken modulo it
 } OpalineClipFacts;
 
 /// How many clips a scene has, and what is known of each.
@@ -27,13 +27,14 @@ typedef enum OpalineDeformerKind {
   OpalineWobble = 3
 } OpalineDeformerKind;
 
-/// Deforms the whole scene, after those that it has; see Deformer in opaline/motion.h.
+/// Adds a deformer of the whole scene, which applies after those that it has; see Deformer in
+/// opaline/motion.h.
 OPALINE_API OpalineStatus opalineAddDeformer(OpalineScene* scene, OpalineDeformerKind kind,
                                              float amount, float periodSeconds);
 OPALINE_API OpalineStatus opalineClearDeformers(OpalineScene* scene);
 
-/// Where an object's vertices are at a time, three floats each, `vertexCount` of its facts, without
-/// a device. `clip` is -1 for none.
+/// Positions of an object's vertices at a time, three floats each, computed without a device.
+/// `vertexCount` is that of its facts; `clip` is -1 for none.
 OPALINE_API OpalineStatus opalinePositionsAt(const OpalineScene* scene, double seconds,
                                              int32_t clip, size_t object, float* positionsMm,
                                              size_t vertexCount);
@@ -47,7 +48,7 @@ OPALINE_API OpalineStatus opalineOpenSequence(const char* pattern,
                                               OpalineSequence** sequence);
 OPALINE_API void opalineDestroySequence(OpalineSequence* sequence);
 
-/// The numbers of its first and last file; there is one for each in between.
+/// The numbers of the first and last file. There is a file for every number in between.
 OPALINE_API OpalineStatus opalineSequenceNumbers(const OpalineSequence* sequence, int32_t* first,
                                                  int32_t* last);
 
@@ -55,8 +56,8 @@ OPALINE_API OpalineStatus opalineSequenceNumbers(const OpalineSequence* sequence
 OPALINE_API OpalineStatus opalineSequenceScene(const OpalineSequence* sequence,
                                                OpalineScene** scene);
 
-/// The positions of a file, three floats a vertex of that object, for opalineSetPositions(). May be
-/// called from several threads at once.
+/// The positions in a file, three floats per vertex of that object, for opalineSetPositions(). May
+/// be called from several threads at once.
 OPALINE_API OpalineStatus opalineReadSequence(const OpalineSequence* sequence, int32_t number,
                                               float* positionsMm, size_t vertexCount);
 

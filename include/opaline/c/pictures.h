@@ -21,7 +21,7 @@ OPALINE_API OpalineStatus opalineDefaultTone(OpalineTone* tone);
 /// The exposure that suits a scene's light, in stops.
 OPALINE_API OpalineStatus opalineAutomaticExposure(const OpalineScene* scene, float* stops);
 
-/// 4 · width · height floats, as opalineRender() gives them. `tone` may be NULL.
+/// Write 4 · width · height floats, as opalineRender() returns them. `tone` may be NULL.
 OPALINE_API OpalineStatus opalineWritePng(const char* file, const float* rgba, int32_t width,
                                           int32_t height, const OpalineTone* tone);
 OPALINE_API OpalineStatus opalineWriteExr(const char* file, const float* rgba, int32_t width,
@@ -36,8 +36,8 @@ OPALINE_API int32_t opalineImageHeight(const OpalineImage* image);
 /// 4 · width · height floats that live as long as the image.
 OPALINE_API const float* opalineImagePixels(const OpalineImage* image);
 
-/// How far image A is from B, over the pixels that both cover. What is relative is over the mean
-/// of |B|.
+/// How far image A is from B, over the pixels that both cover. Relative errors are divided by the
+/// mean of |B|.
 typedef struct OpalineDifference {
   size_t size;  ///< sizeof(OpalineDifference)
   uint64_t coveredPixels;
@@ -48,7 +48,7 @@ typedef struct OpalineDifference {
   double psnrDb;
 } OpalineDifference;
 
-/// Both of 4 · width · height floats.
+/// Each image has 4 · width · height floats.
 OPALINE_API OpalineStatus opalineCompare(const float* rgbaOfA, const float* rgbaOfB, int32_t width,
                                          int32_t height, OpalineDifference* difference);
 

@@ -7,7 +7,7 @@
 
 OPALINE_C_BEGIN
 
-/// A Vulkan device; see DeviceDescription in opaline/view.h. Names are cut off where they have no
+/// A Vulkan device; see DeviceDescription in opaline/view.h. Names are truncated if they have no
 /// room.
 typedef struct OpalineDeviceFacts {
   size_t size;  ///< sizeof(OpalineDeviceFacts)
@@ -17,7 +17,7 @@ typedef struct OpalineDeviceFacts {
   int32_t rayQueries;  ///< 1 or 0
 } OpalineDeviceFacts;
 
-/// One of this machine, of opalineDeviceCount().
+/// Facts about one of the machine's opalineDeviceCount() devices.
 OPALINE_API OpalineStatus opalineDeviceFacts(size_t device, OpalineDeviceFacts* facts);
 
 /// What is known of the frame that opalineCollect() returned last; see Frame in opaline/view.h.
@@ -43,15 +43,15 @@ typedef struct OpalineSolution {
   float residual[3];  ///< relative to the sources of fluence
 } OpalineSolution;
 
-/// Bad use for a pass or solution that there is not.
+/// A pass or solution that does not exist is OpalineBadUse.
 OPALINE_API OpalineStatus opalineFrameReport(const OpalineView* view, OpalineFrameReport* report);
 OPALINE_API OpalineStatus opalineFramePass(const OpalineView* view, size_t pass,
                                            OpalinePassTime* time);
 OPALINE_API OpalineStatus opalineFrameSolution(const OpalineView* view, size_t index,
                                                OpalineSolution* solution);
 
-/// How a view's frames of this scene were made that were collected since the last opalineRender(),
-/// and its own; see RenderReport in opaline/view.h.
+/// How a view's last opalineRender() and the frames of this scene collected since then were made;
+/// see RenderReport in opaline/view.h.
 typedef struct OpalineViewReport {
   size_t size;  ///< sizeof(OpalineViewReport)
   OpalineTransport transport;
@@ -62,18 +62,19 @@ typedef struct OpalineViewReport {
   uint64_t sources;
   uint64_t clusters;
   double frameMilliseconds;  ///< of the device, median over the frames after the first
-  uint32_t dispatches;       ///< of the last frame, as barriers and recordings
+  uint32_t dispatches;       ///< of the last frame, like barriers and recordings
   uint32_t barriers;
   uint32_t recordings;
   double peakMemoryMegabytes;
   size_t passCount;  ///< for opalineViewPass()
 } OpalineViewReport;
 
-/// Bad use before the first frame. A pass has its median over the frames after the first. Passes
-/// and device are those of the report that is at hand, or of a new one after another frame.
+/// OpalineBadUse before the first frame. The time of a pass is its median over the frames after the
+/// first. opalineViewPass() and opalineViewDevice() read the last report, or a new one if another
+/// frame has been made.
 OPALINE_API OpalineStatus opalineViewReport(OpalineView* view, OpalineViewReport* report);
 OPALINE_API OpalineStatus opalineViewPass(OpalineView* view, size_t pass, OpalinePassTime* time);
-/// The device that they were made on.
+/// The device that the view's frames were made on.
 OPALINE_API OpalineStatus opalineViewDevice(OpalineView* view, OpalineDeviceFacts* facts);
 
 OPALINE_C_END

@@ -8,7 +8,7 @@
 
 OPALINE_C_BEGIN
 
-/// See opaline/soft_body.h, which has the ranges.
+/// The properties of a soft body; opaline/soft_body.h explains them and has their ranges.
 typedef struct OpalineSoftBodyOptions {
   size_t size;  ///< sizeof(OpalineSoftBodyOptions)
   int32_t cells;
@@ -21,28 +21,28 @@ typedef struct OpalineSoftBodyOptions {
 /// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultSoftBodyOptions(OpalineSoftBodyOptions* options);
 
-/// It sets the positions of an object's vertices in a renderer.
+/// A soft body, which sets the positions of an object's vertices in a renderer.
 typedef struct OpalineSoftBody OpalineSoftBody;
 
-/// `scene` is the one that the renderer has; the object is at rest as its mesh has it there.
-/// `options` may be NULL. It goes with the renderer at the latest. After opalineSetScene() it may
-/// only be destroyed, which returns the object to its mesh.
+/// `scene` is the one that the renderer has; the object's mesh there is its shape at rest.
+/// `options` may be NULL. Destroying the renderer destroys the body, too. After opalineSetScene()
+/// it may only be destroyed, which returns the object to its mesh.
 OPALINE_API OpalineStatus opalineCreateSoftBody(OpalineRenderer* renderer,
                                                 const OpalineScene* scene, size_t object,
                                                 const OpalineSoftBodyOptions* options,
                                                 OpalineSoftBody** body);
 OPALINE_API void opalineDestroySoftBody(OpalineSoftBody* body);
 
-/// Grabs what lies around a point, pulls it so that the point comes to another, lets go.
+/// Grab what lies around a point, pull it so that the point moves to another, and release it.
 OPALINE_API OpalineStatus opalineGrabSoftBody(OpalineSoftBody* body, const float pointMm[3],
                                               float radiusMm);
 OPALINE_API OpalineStatus opalinePullSoftBody(OpalineSoftBody* body, const float toMm[3]);
 OPALINE_API OpalineStatus opalineReleaseSoftBody(OpalineSoftBody* body);
 
-/// Goes on by a time, at most 0.2 s, and gives the next frame the positions.
+/// Advances time by at most 0.2 s and gives the next frame the new positions.
 OPALINE_API OpalineStatus opalineStepSoftBody(OpalineSoftBody* body, double seconds);
 
-/// 1 while steps still change anything, as far as finished ones have told; else 0.
+/// 1 while steps still change anything, judged by finished steps; else 0.
 OPALINE_API OpalineStatus opalineSoftBodyMoves(const OpalineSoftBody* body, int32_t* moves);
 
 OPALINE_C_END

@@ -8,8 +8,8 @@
 #include "opaline/export.h"
 #include "opaline/version.h"
 
-/// Grows when the layout of a struct or the meaning of a call changes. Structs that only got more
-/// members at their end still take those of programs that were compiled before.
+/// Grows when the layout of a struct or the meaning of a call changes. It does not for members
+/// added at a struct's end: structs of programs that were compiled before are still accepted.
 #define OPALINE_C_ABI 6
 
 #ifdef __cplusplus
@@ -22,7 +22,7 @@
 
 OPALINE_C_BEGIN
 
-/// What a call came to.
+/// How a call ended.
 typedef enum OpalineStatus {
   OpalineOk = 0,
   OpalineFailed = 1,    ///< bad input, a file that cannot be read or written, a failed device
@@ -31,12 +31,12 @@ typedef enum OpalineStatus {
   OpalineDefect = 4     ///< an error in the library itself
 } OpalineStatus;
 
-/// Why the last call of this thread that failed did so: one sentence for the user, empty before the
-/// first. Lives until the thread's next failure.
+/// Why this thread's last failed call failed: one sentence for the user, empty before the first
+/// failure. Lives until the thread's next failure.
 OPALINE_API const char* opalineLastError(void);
 
-/// Of the library at hand, which may be newer than these headers. `abi` is its OPALINE_C_ABI. Any
-/// of them may be NULL.
+/// The version of the library in use, which may be newer than these headers. `abi` is its
+/// OPALINE_C_ABI. Any pointer may be NULL.
 OPALINE_API void opalineVersion(int32_t* major, int32_t* minor, int32_t* patch, int32_t* abi);
 
 OPALINE_C_END

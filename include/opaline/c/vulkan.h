@@ -7,8 +7,8 @@
 
 OPALINE_C_BEGIN
 
-// There if <vulkan/vulkan.h> was included before. What the parts mean, and the rules for layouts,
-// stages, lifetimes and threads, stand beside the same parts in opaline/vulkan.h.
+// Declared only if <vulkan/vulkan.h> was included before. opaline/vulkan.h explains the parts and
+// has the rules for layouts, stages, lifetimes and threads.
 #ifdef VULKAN_CORE_H_
 
 /// What the library needs of a device; see VulkanNeeds. All of it lives as long as the process.
@@ -26,7 +26,7 @@ typedef struct OpalineVulkanNeeds {
 /// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs);
 
-/// Why the library cannot use the device, cut off where it has no room; empty if it can.
+/// Why the library cannot use the device, truncated if it has no room; empty if it can.
 OPALINE_API OpalineStatus opalineWhatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice,
                                                char* sentence, size_t sentenceBytes);
 
@@ -42,7 +42,7 @@ typedef struct OpalineGivenVulkan {
   const char* const* enabledExtensions;
   size_t enabledExtensionCount;
   const VkPhysicalDeviceFeatures2* enabledFeatures;
-  void (*lockQueue)(void* context);    ///< NULL where nobody else uses the queue
+  void (*lockQueue)(void* context);    ///< NULL if nobody else uses the queue
   void (*unlockQueue)(void* context);  ///< the same
   void* lockContext;                   ///< for both
 } OpalineGivenVulkan;
@@ -55,16 +55,16 @@ typedef struct OpalineDevicePositions {
   uint32_t strideBytes;  ///< 0: 12
 } OpalineDevicePositions;
 
-/// As opalineSetPositions(), from a buffer that every frame reads again.
+/// Like opalineSetPositions(), from a buffer that every frame reads again.
 OPALINE_API OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
                                                     const OpalineDevicePositions* positions);
 
-/// The same from a buffer that changes only before another such call, so that frames can still
-/// reuse light; see DevicePositions::live.
+/// The same for a buffer that changes only before another such call, so that frames can still reuse
+/// light; see DevicePositions::live.
 OPALINE_API OpalineStatus opalineSetStillDevicePositions(OpalineRenderer* renderer, size_t object,
                                                          const OpalineDevicePositions* positions);
 
-/// What a renderer works with, to fill buffers of its device; see VulkanDevice.
+/// The Vulkan objects of a renderer, for filling buffers of its device; see VulkanDevice.
 typedef struct OpalineVulkanDevice {
   size_t size;  ///< sizeof(OpalineVulkanDevice)
   VkInstance instance;
@@ -74,7 +74,7 @@ typedef struct OpalineVulkanDevice {
   VkQueue queue;
 } OpalineVulkanDevice;
 
-/// Whether the renderer has opened it or it was given.
+/// Works for a device that the renderer opened and for one that was given.
 OPALINE_API OpalineStatus opalineVulkanDevice(const OpalineRenderer* renderer,
                                               OpalineVulkanDevice* device);
 
@@ -92,7 +92,7 @@ typedef struct OpalineDeviceTarget {
   VkImageView view;
   VkFormat format;
   VkImageLayout layout;
-  uint32_t samples;  ///< of a pixel; 0: one
+  uint32_t samples;  ///< per pixel; 0: one
 } OpalineDeviceTarget;
 
 /// See Composition.
@@ -116,13 +116,14 @@ typedef struct OpalineDeviceFrame {
   size_t size;                        ///< sizeof(OpalineDeviceFrame)
   const OpalineTimelinePoint* waits;  ///< none for a recorded frame
   size_t waitCount;
-  const OpalineTimelinePoint* signals;  ///< of a recorded frame one: what its submission signals
+  const OpalineTimelinePoint* signals;  ///< for a recorded frame exactly one, which its submission
+                                        ///< signals
   size_t signalCount;
   VkCommandBuffer commands;        ///< of a recorded frame
   const OpalineComposition* over;  ///< may be NULL
   const OpalineDeviceExitance* exitances;
   size_t exitanceCount;
-  int32_t onDevice;        ///< 1: leave the radiance, for opalineViewPicture()
+  int32_t onDevice;        ///< 1: leave the radiance for opalineViewPicture()
   int32_t exitance;        ///< 1: leave the exitance of vertices, for opalineViewExitance()
   const OpalineAov* aovs;  ///< for opalineCollect()
   size_t aovCount;
@@ -132,7 +133,8 @@ typedef struct OpalineDeviceFrame {
   int32_t impatient;   ///< the same
 } OpalineDeviceFrame;
 
-/// Makes all that such a frame needs, so that opalineRecordFrame() submits nothing.
+/// opalinePrepareFrame() makes all that a frame needs, so that opalineRecordFrame() submits
+/// nothing.
 OPALINE_API OpalineStatus opalinePrepareFrame(OpalineView* view, const OpalineDeviceFrame* frame);
 OPALINE_API OpalineStatus opalineSubmitFrame(OpalineView* view, const OpalineDeviceFrame* frame);
 OPALINE_API OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* frame);
@@ -148,7 +150,7 @@ typedef struct OpalineDeviceImage {
   uint32_t height;
 } OpalineDeviceImage;
 
-/// Of the last frame that was to leave it.
+/// What the last frame whose order asked for it left on the device.
 OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
 
 /// One of the last frame's `aovsOnDevice`; see View::picture.
@@ -163,7 +165,7 @@ typedef struct OpalineDeviceBuffer {
   VkDeviceSize bytes;
 } OpalineDeviceBuffer;
 
-/// Of the last frame that was to leave it.
+/// What the last frame whose order asked for it left on the device.
 OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
                                               OpalineDeviceBuffer* exitance);
 

@@ -21,38 +21,38 @@ namespace opaline::options {
 /// Width and height, pixels.
 using Size = std::array<int, 2>;
 
-/// What an option may be set to. A text is a name.
+/// The value of an option. A text is a name.
 using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std::array<double, 3>>;
 
 /// What values an option takes.
 struct OPALINE_API Allowed {
-  Range range{0, 0};  ///< of a number, and of each of several
-  /// Of a text; empty: any text but an empty one. Where values are no texts, names that may stand
-  /// in their place.
+  Range range{0, 0};  ///< of a number, or of each number of several
+  /// Texts that are allowed; empty: any text but an empty one. For options of other types, names
+  /// that may take the place of a value.
   std::vector<std::string_view> choices = {};
-  std::vector<int> counts = {};  ///< of a whole number; empty: all in the range
+  std::vector<int> counts = {};  ///< whole numbers that are allowed; empty: all in the range
 
   /// Whether a value is allowed.
   bool holds(const Value& value) const;
 };
 
-/// What a value that is not allowed should have been, after a subject: "must be from 0 to 8".
+/// What a value has to be, as the end of a sentence: "must be from 0 to 8".
 OPALINE_API std::string requirement(const Allowed& allowed, const Value& like);
 
-/// As people write it: "0.01", "1,1,0.5", "1024x768".
+/// The value as people write it: "0.01", "1,1,0.5", "1024x768".
 OPALINE_API std::string textOf(const Value& value);
 
-/// One option of an Owner: all that the command line, scene files, the window and the checks need
-/// to know of it.
+/// One option of an Owner, with all that the command line, scene files, the window and the checks
+/// need to know about it.
 template <typename Owner>
 struct Field {
   std::string_view key;        ///< in scene files; on the command line with dashes
   std::string_view formerKey;  ///< an older name that is still understood, or empty
-  std::string_view help;       ///< a few words, without what is allowed and the default
-  std::string_view standard;   ///< the default in words where a value does not say it, or empty
+  std::string_view help;       ///< a few words, not about allowed values or the default
+  std::string_view standard;   ///< the default in words if a value cannot express it, or empty
   Allowed allowed;
-  std::optional<Value> (*get)(const Owner&);  ///< nothing where the option has no value
-  void (*set)(Owner&, const Value&);          ///< of the type of `like`, or a choice
+  std::optional<Value> (*get)(const Owner&);  ///< nothing if the option has no value
+  void (*set)(Owner&, const Value&);          ///< takes the type of `like`, or a choice
   Value like;                                 ///< a value of the option's type
 };
 
@@ -60,7 +60,7 @@ struct Field {
 template <typename Owner>
 const std::vector<Field<Owner>>& fieldsOf();
 
-/// The field of that key; null where there is none.
+/// The field with that key, current or former; null if there is none.
 template <typename Owner>
 const Field<Owner>* findField(std::string_view key) {
   for (const Field<Owner>& field : fieldsOf<Owner>())
@@ -68,7 +68,7 @@ const Field<Owner>* findField(std::string_view key) {
   return nullptr;
 }
 
-/// Of a key that is in the table.
+/// The field with a key that is known to exist.
 template <typename Owner>
 const Field<Owner>& fieldOf(std::string_view key) {
   const Field<Owner>* const found = findField<Owner>(key);
@@ -76,7 +76,7 @@ const Field<Owner>& fieldOf(std::string_view key) {
   return *found;
 }
 
-/// The first option whose value is not allowed, as a sentence; empty where all are.
+/// A complaint about the first option whose value is not allowed, as a sentence; empty if all are.
 template <typename Owner>
 std::string complaintAboutFields(const Owner& owner) {
   for (const Field<Owner>& field : fieldsOf<Owner>()) {
@@ -88,15 +88,15 @@ std::string complaintAboutFields(const Owner& owner) {
   return {};
 }
 
-/// What somebody chose among an Owner's options; the others stay as they are.
+/// Values that were chosen for some of an Owner's options.
 template <typename Owner>
 class Chosen {
  public:
-  /// Values by field: what was set last counts.
+  /// Chooses a value, in place of any earlier one for the field.
   void set(const Field<Owner>& field, Value value) {
     values_.insert_or_assign(field.key, std::move(value));
   }
-  /// By key: whether one is there, which, and away with it.
+  /// Removes, looks for and finds the value chosen for a key. find() returns null if there is none.
   void erase(std::string_view key) { values_.erase(key); }
   bool has(std::string_view key) const { return values_.contains(key); }
   const Value* find(std::string_view key) const {
@@ -127,24 +127,24 @@ Chosen<Owner> chosenIn(const Owner& owner) {
   return chosen;
 }
 
-/// The field under an older name too.
+/// The field, also known by an older key.
 template <typename Owner>
 Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
   field.formerKey = formerKey;
   return field;
 }
 
-/// The names of an enumeration's values, in their order.
+/// The names of an enumeration's values, in the values' order.
 template <typename Enumeration>
 const std::vector<std::string_view>& namesOf();
 
-/// As it is written in files and on the command line.
+/// The value's name in files and on the command line.
 template <typename Enumeration>
 std::string nameOf(Enumeration value) {
   return std::string(namesOf<Enumeration>().at(static_cast<std::size_t>(value)));
 }
 
-/// Of a name that is one of its enumeration's.
+/// The value with a name; the name must be one of the enumeration's.
 template <typename Enumeration>
 Enumeration named(std::string_view name) {
   const std::vector<std::string_view>& names = namesOf<Enumeration>();
@@ -153,7 +153,7 @@ Enumeration named(std::string_view name) {
   return static_cast<Enumeration>(index);
 }
 
-/// A member of an Owner, or of a member of it.
+/// The member at the end of a path of members.
 template <auto first, auto... rest, typename Owner>
 auto& memberOf(Owner& owner) {
   if constexpr (sizeof...(rest) == 0)
@@ -169,7 +169,7 @@ struct IsOptional : std::false_type {};
 template <typename T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
-/// For the library: between members and values.
+/// For the library: the value of a member; nothing if it has none.
 template <typename T>
 std::optional<Value> valueOf(const T& member) {
   if constexpr (IsOptional<T>::value)
@@ -191,7 +191,7 @@ void assign(const Value& value, T& member) {
     member = std::get<T>(value);
 }
 
-/// For the library: any value of that kind.
+/// For the library: some value of the type that a member has.
 template <typename T>
 Value valueLike() {
   if constexpr (IsOptional<T>::value)

@@ -12,7 +12,7 @@
 
 namespace opaline::options {
 
-/// What decides a picture beside the scene.
+/// What a picture depends on besides the scene.
 struct PictureSettings {
   RenderOptions render;
   SceneTime time;
@@ -22,7 +22,7 @@ struct PictureSettings {
 template <>
 OPALINE_API const std::vector<Field<PictureSettings>>& fieldsOf();
 
-/// What is chosen by a name that only the machine or the model knows.
+/// Options whose names depend on the machine or the model.
 struct NamedSettings {
   std::optional<std::string> device;
   std::optional<std::string> clip;
@@ -47,13 +47,13 @@ OPALINE_API const std::vector<std::string_view>& namesOf<ToneCurve>();
 template <>
 OPALINE_API const std::vector<std::string_view>& namesOf<Aov>();
 
-/// As chosen, of what the library renders.
+/// Sets what was chosen among RenderOptions.
 OPALINE_API void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
 
-/// Why no picture can be made so, as a sentence; empty where one can.
+/// Why no picture can be made with these options, as a sentence; empty if one can.
 OPALINE_API std::string complaintAbout(const RenderOptions& options);
 
-/// Why there is no such time, as a sentence; empty where there is.
+/// Why the time is not valid, as a sentence; empty if it is.
 OPALINE_API std::string complaintAbout(const SceneTime& time);
 
 }  // namespace opaline::options

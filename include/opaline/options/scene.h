@@ -9,7 +9,7 @@
 
 namespace opaline::options {
 
-/// What a length may be that must be there.
+/// The range of a length that must not be 0.
 constexpr Range lengthAboveZero{0, 1e6, "mm", true};
 
 template <>
@@ -44,21 +44,21 @@ OPALINE_API const std::vector<std::string_view>& namesOf<DeformerKind>();
 template <>
 OPALINE_API const std::vector<std::string_view>& namesOf<ColorModel>();
 
-/// The amount's range is the widest; rangeOfAmount() knows that of each kind.
+/// The amount has the widest range of all kinds; rangeOfAmount() has that of each.
 template <>
 OPALINE_API const std::vector<Field<Deformer>>& fieldsOf();
 
-/// What a deformer's amount may be. One that swings takes both signs.
+/// The range of a deformer's amount. It is symmetric for a deformer with a period.
 OPALINE_API Range rangeOfAmount(const Deformer& deformer);
 
 /// What is wrong with a deformer, as a sentence; empty if nothing.
 OPALINE_API std::string complaintAbout(const Deformer& deformer);
 
-/// Of LoadOptions only the size and what colours mean.
+/// LoadOptions has only fields for the size and the meaning of colours.
 template <>
 OPALINE_API const std::vector<Field<LoadOptions>>& fieldsOf();
 
-/// Of Lighting only what is not a list: its ambient light.
+/// Lighting has only a field for its ambient light, not for its lists.
 template <>
 OPALINE_API const std::vector<Field<Lighting>>& fieldsOf();
 
