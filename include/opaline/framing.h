@@ -41,7 +41,7 @@ class OPALINE_API Framing {
 /// How far a camera stands from its target, mm.
 OPALINE_API double distanceToTargetMm(const Camera& camera);
 
-/// The up direction of a camera that was given none: +y, or another one if it looks along y.
+/// The up direction of a camera that was given none: +y, or ±z if it looks along y.
 OPALINE_API Vec3 usualUp(const Camera& camera);
 
 }  // namespace opaline

@@ -18,8 +18,8 @@ struct SoftBodyOptions {
   float swingHz = 2.5F;  ///< stiffness: frequency at which a column of the body's height sways in
                          ///< shear, Hz, in [0.25, 8]; slender bodies swing slower
   float settleSeconds = 1.5F;  ///< time in which a swing decays to a twentieth, s, in [0.1, 60]
-  float heldFraction = 0.06F;  ///< part of its height, from the bottom, that stands still, in [0,
-                               ///< 0.9]
+  float heldFraction = 0.06F;  ///< part of its height that stands still, from the bottom, in
+                               ///< [0, 0.9]
   float reach = 0.5F;          ///< how far a grabbed point can be pulled from its place at rest, in
                                ///< diagonals of the body's box, in [0.01, 2]
 };

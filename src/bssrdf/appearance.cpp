@@ -10,7 +10,7 @@ namespace opaline {
 
 namespace {
 
-// Of a half-space in even light the share C of what entered leaves again, with s = √(1 - α'):
+// The share C of the even light that entered a half-space leaves again. With s = √(1 - α'):
 // C = (1 - s)(1 - b s) / (1 + c s).
 struct Fit {
   double eta;
@@ -37,7 +37,7 @@ double colorOf(double s, const Fit& fit) {
   return (1 - s) * (1 - fit.b * s) / (1 + fit.c * s);
 }
 
-/// s = √(1 - α'), of which with g the albedo follows.
+/// s = √(1 - α') of an observed colour. The albedo follows from s and g.
 double observed(double color, const Fit& fit) {
   const double sum = 1 + fit.b + fit.c * color;
   return (sum - std::sqrt(sum * sum - 4 * fit.b * (1 - color))) / (2 * fit.b);
@@ -47,7 +47,7 @@ double albedoOf(double s, double g) {
   return (1 - s * s) / (1 - g * s * s);
 }
 
-/// The same of a ball, by bisection: the more it absorbs, the darker it is.
+/// The same for a ball, by bisection: the more it absorbs, the darker it is.
 double observedOnBall(double color, const Appearance& appearance, std::size_t channel,
                       const Fit& fit) {
   double low = 0;
@@ -88,7 +88,7 @@ Medium mediumOf(const Appearance& appearance) {
     } else {
       s = observed(color, fit);
     }
-    // What scatters nothing would be no medium.
+    // A medium has to scatter something.
     constexpr double leastAlbedo = 1e-4;
     const double albedo = std::max(albedoOf(s, appearance.g), leastAlbedo);
     const double extinctionPerMm = 1 / appearance.meanFreePathMm[channel];

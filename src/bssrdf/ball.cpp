@@ -12,8 +12,8 @@ double takenByBall(double x) {
   return x < small ? x / 3 : 1 / std::tanh(x) - 1 / x;
 }
 
-// Even light E that got through the interface drives φ with t φ = κE - φ/2A, where diffusion takes
-// t of it, and φ/2A - (κ - 1)E leaves (paint.h, without a layer).
+// Even light E that passed the interface drives a fluence φ by t φ = κE - φ/2A, where diffusion
+// takes the part t of φ away. φ/2A - (κ - 1)E leaves (paint.h, without a layer).
 double colorOfBall(double thickColor, double eta, double x) {
   const double overTwoA = (1 - twoC1(eta)) / (1 + threeC2(eta)) / 2;
   const double kappa = 2 / (1 + threeC2(eta));

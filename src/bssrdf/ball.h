@@ -2,12 +2,12 @@
 
 namespace opaline::bssrdf {
 
-/// What diffusion in a ball takes of the fluence at its surface, over what it takes in a body
-/// without end: coth x - 1/x, of x radii over the diffusion length.
+/// The part of the fluence at a ball's surface that diffusion takes away, divided by that for a
+/// half-space: coth x - 1/x, where x is the radius in diffusion lengths.
 double takenByBall(double x);
 
-/// The share of even light that entered a bare ball which leaves again, from that share of a body
-/// without end of the same medium.
+/// Of even light that entered an unpainted ball, the share that leaves again. `thickColor` is that
+/// share for a half-space of the same medium.
 double colorOfBall(double thickColor, double eta, double x);
 
 }  // namespace opaline::bssrdf

@@ -5,12 +5,12 @@
 namespace opaline::bssrdf {
 
 /// Directions in which diffuse light leaves a medium through its smooth surface: Gauss's rule of
-/// two points over the cosine inside, for light that is as bright in all directions below the
+/// two points over the cosine inside, for light that is equally bright in all directions below the
 /// surface.
 struct ExitDirections {
   std::array<double, 2> cosines{};   ///< inside
   std::array<double, 2> mirrored{};  ///< Fresnel's reflectance there
-  std::array<double, 2> weights{};   ///< 1 together
+  std::array<double, 2> weights{};   ///< they sum to 1
 };
 
 /// `eta` ≥ 1. ∫₀¹ F_t μ f(μ_in) dμ / ∫₀¹ F_t μ dμ, over cosines μ outside, is Σ weight f(cosine):

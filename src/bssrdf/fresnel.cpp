@@ -7,8 +7,8 @@ namespace opaline::bssrdf {
 
 namespace {
 
-// Beyond this the published fits run away from what they fit (at 2.9 A turns negative); up to it
-// they keep within 0.007.
+// Up to this the published fits have an error of at most 0.007. Beyond it they diverge: A turns
+// negative at 2.9.
 constexpr double largestEtaOfFits = 2.4;
 
 /// 3∫ F μ² dμ inside, as an integral over the cosine outside, where it is smooth.
@@ -25,8 +25,8 @@ double threeC2Integrated(double eta) {
   return 1.0 - 3.0 / (eta * eta) * sum / (6.0 * panels);
 }
 
-// Over diffuse light that entered, of a function of the squared cosine outside and F_t there; by
-// the midpoint rule over μ².
+// The mean over diffuse light that entered of a function of the squared cosine outside and of F_t
+// there, by the midpoint rule over μ².
 template <typename Function>
 double meanOfEntered(double eta, const Function& function) {
   assert(eta >= 1.0);
@@ -63,9 +63,10 @@ double fresnelReflectanceInside(double eta, double cosTheta) {
 // 1979.
 double meanTransmittance(double eta) {
   assert(eta > 0);
-  // Reciprocity: what a diffuse field gains in radiance inside it loses in mean transmittance.
+  // Reciprocity: a diffuse field's mean transmittance falls by the factor that its radiance gains
+  // inside.
   if (eta < 1.0) return meanTransmittance(1.0 / eta) * (eta * eta);
-  // The terms below cancel ever more; to first order the reflectance is (eta - 1)/3.
+  // The terms below would cancel here; to first order the reflectance is (eta - 1)/3.
   const double excess = eta - 1.0;
   if (excess < 1e-6) return 1.0 - excess / 3.0;
   const double n = eta;

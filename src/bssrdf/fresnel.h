@@ -16,7 +16,7 @@ double meanTransmittance(double eta);
 /// ∫₀¹ F_t μ dμ.
 double meanCosineInside(double eta);
 
-/// Of diffuse light that entered through a plane, what another parallel to it mirrors, eta ≥ 1:
+/// Of diffuse light that entered through a plane, the share that a parallel plane mirrors, eta ≥ 1:
 /// ∫₀¹ F_t (1 − F_t) μ dμ / ∫₀¹ F_t μ dμ.
 double meanReflectanceOfEntered(double eta);
 
@@ -24,7 +24,7 @@ double meanReflectanceOfEntered(double eta);
 double diffuseReflectanceInside(double eta);
 
 /// Moments of the reflectance from inside, eta ≥ 1: 2C₁ = 2∫₀¹ F μ dμ and 3C₂ = 3∫₀¹ F μ² dμ, by
-/// the fits of d'Eon 2012 as far as these hold, else exactly.
+/// the fits of d'Eon 2012 where these hold, else exactly.
 double twoC1(double eta);
 double threeC2(double eta);
 

@@ -26,7 +26,7 @@ const std::vector<MeasuredMedium>& measuredTable() {
   return table;
 }
 
-// Chosen by eye for bodies of about 50 mm; no measurement stands behind any of them.
+// Chosen by eye for bodies of about 50 mm. None of them was measured.
 const std::vector<Medium>& artisticTable() {
   static const std::vector<Medium> table = {
       {"gummy-green", {.55, .60, .50}, {.040, .0035, .060}, 1.4},

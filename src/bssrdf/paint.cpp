@@ -18,8 +18,8 @@ struct Moments {
   double t2 = 0;
 };
 
-// Below the critical cosine all is reflected. There and above it, cosines crowd towards the lower
-// end, where the layer is long and Fresnel's reflectance steep.
+// Below the critical cosine all is reflected. In either range, the cosines are denser towards the
+// lower end, where the path through the layer is long and Fresnel's reflectance steep.
 Moments momentsOf(double eta, double thickness) {
   constexpr int steps = 192;
   const double critical = std::sqrt(std::max(0.0, 1 - 1 / (eta * eta)));
@@ -70,14 +70,15 @@ PaintedBoundary mixed(const PaintedBoundary& a, const PaintedBoundary& b, double
           std::lerp(a.deep, b.deep, part)};
 }
 
-// What a half-space gives back of even light that got through its interface, where it takes
-// √(σ_a D) φ of a fluence φ.
+// Of even light that passed the interface, the share that a half-space returns. `taken` is the part
+// of the fluence that it takes away, √(σ_a D).
 double reflectanceOf(const PaintedBoundary& boundary, double a, double taken) {
   const double fluence = boundary.source / (taken + boundary.layer / (2 * a));
   return fluence * boundary.leaving / (2 * a) - boundary.takenOff;
 }
 
-// Of a table by ascending thickness, what has that reflectance. It falls as layers grow.
+// The entry with that reflectance, interpolated in a table by ascending thickness. Reflectance
+// falls as layers grow.
 PaintedBoundary withReflectance(const std::vector<PaintedBoundary>& table,
                                 const std::vector<double>& reflectances, double wanted) {
   const auto after = std::lower_bound(reflectances.begin(), reflectances.end(), wanted,
@@ -102,7 +103,8 @@ std::vector<PaintedBoundary> fineTable(double eta) {
   return table;
 }
 
-// Over those without a layer: of even light, and of a source at any depth.
+// Shares of light that leaves, relative to those without a layer: for even light, and for a source
+// at any depth.
 struct Shares {
   std::vector<double> even;
   std::vector<double> deep;

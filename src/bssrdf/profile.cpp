@@ -20,7 +20,7 @@ double fluxKernel(double z, double d, double sigma) {
   return z * (1.0 + sigma * d) * std::exp(-sigma * d) / (d * d * d);
 }
 
-/// Its integral over a disc, divided by 2π: e^{-σ z} - z e^{-σ d}/d, without cancellation.
+/// The kernel's integral over a disc, divided by 2π: e^{-σ z} - z e^{-σ d}/d, without cancellation.
 double fluxDisc(double z, double radius, double sigma) {
   if (std::isinf(radius)) return std::exp(-sigma * z);
   const double d = std::hypot(radius, z);
@@ -35,7 +35,7 @@ double exponentialIntegral(double from, double length, double sigma) {
   return std::exp(-sigma * from) * length * mean;
 }
 
-/// Distances from the real and the virtual source, and by how much the second is longer.
+/// Distances from the real and the virtual source, and the excess of the second.
 struct Distances {
   double real;
   double virtualSource;
@@ -58,7 +58,7 @@ double fluenceKernel(const Profile& profile, double radius) {
          d.virtualSource;
 }
 
-/// Its integral over a disc, divided by 2π.
+/// The kernel's integral over a disc, divided by 2π.
 double fluenceDisc(const Profile& profile, double radius) {
   const double zr = profile.zRealMm;
   const double zv = profile.zVirtualMm;
@@ -66,7 +66,7 @@ double fluenceDisc(const Profile& profile, double radius) {
   const double total = exponentialIntegral(zr, zv - zr, sigma);
   if (std::isinf(radius)) return total;
   const Distances d = distances(profile, radius);
-  // Two forms of the same: the one cancels for large discs, the other for small ones.
+  // Two forms of the same number: the second cancels for large discs, the first for small ones.
   if (radius > zr) return total - exponentialIntegral(d.real, d.difference, sigma);
   const double longerReal = radius * (radius / (d.real + zr));
   const double longerVirtual = radius * (radius / (d.virtualSource + zv));

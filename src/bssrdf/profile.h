@@ -20,9 +20,9 @@ struct Coefficients {
 /// Channel 0, 1 or 2 of a medium. Requires σ_t' > 0.
 Coefficients coefficients(const Medium& medium, int channel);
 
-/// One channel of a medium with the forward peak of its scattering, g² of it, taken for light that
-/// goes on. Joseph, Wiscombe and Weinman 1976, the delta-Eddington approximation. What scatters
-/// backwards has no such peak, and isotropic media stay as they are.
+/// One channel of a medium by the delta-Eddington approximation (Joseph, Wiscombe and Weinman
+/// 1976): the forward peak of its scattering, the part g², counts as light that goes straight on.
+/// Media with g ≤ 0 have no such peak and stay as they are.
 struct ScaledScattering {
   double sigmaTPerMm = 0;  ///< σ_t* = σ_s'(1 + g) + σ_a
   double albedo = 0;       ///< σ_s* / σ_t*
@@ -30,16 +30,16 @@ struct ScaledScattering {
 };
 ScaledScattering scaledScattering(const Medium& medium, int channel);
 
-/// Whether light finds them alike: all but their names.
+/// Whether two media are the same apart from their names.
 bool isSameInside(const Medium& a, const Medium& b);
 
-/// Of the three channels.
+/// The shortest of the three channels.
 double shortestMeanFreePathMm(const Medium& medium);
 
 enum class Model { Dipole, BetterDipole };
 
-/// The half-space of a transport. Boundary transport, which follows a body's own shape, takes its
-/// detail from the better dipole, and open meshes get that.
+/// The half-space model of a transport. Boundary transport takes its fine detail from the better
+/// dipole, and open meshes get the better dipole alone.
 Model modelOf(Transport transport);
 
 /// Radially symmetric diffuse reflectance R_d(r) of a half-space, one channel:
@@ -65,12 +65,12 @@ struct Profile {
 
 Profile makeProfile(Model model, const Coefficients& coefficients);
 
-/// Of the three channels of a medium.
+/// Profiles of the three channels of a medium.
 std::array<Profile, 3> makeProfiles(Model model, const Medium& medium);
 
-/// Radiance per exitance but for the Fresnel factor towards the viewer: 1/π for the classic dipole,
-/// Eq. 5 of Gong et al. 2008 to the letter; the energy-conserving 1/(π F̄_t) of d'Eon 2012 for the
-/// better one.
+/// Radiance per exitance, without the Fresnel factor towards the viewer. It is 1/π for the classic
+/// dipole (Gong et al. 2008, Eq. 5) and the energy-conserving 1/(π F̄_t) of d'Eon 2012 for the
+/// better dipole.
 double exitFactor(Model model, double eta);
 
 }  // namespace opaline::bssrdf

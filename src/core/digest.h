@@ -7,19 +7,19 @@
 
 namespace opaline::core {
 
-/// FNV-1a of 64 bits (Fowler, Noll and Vo 1991) over whatever it is given: tells what changed by
-/// mistake, not what was forged.
+/// FNV-1a of 64 bits (Fowler, Noll and Vo 1991) of all that is added. It reveals accidental
+/// changes, but no forgery.
 class Digest {
  public:
   void addBytes(const void* data, std::size_t bytes) {
     const auto* byte = static_cast<const unsigned char*>(data);
     for (std::size_t i = 0; i < bytes; ++i) value_ = (value_ ^ byte[i]) * 0x100000001B3U;
   }
-  /// For what has no bytes that mean nothing between those that do.
+  /// For types without padding bytes.
   template <typename T>
   requires std::is_trivially_copyable_v<T>
   void add(const T& value) { addBytes(&value, sizeof(value)); }
-  /// Its length too, so that two lists do not read as one.
+  /// The length is added too, so that two lists differ from their concatenation.
   template <typename T>
   requires std::is_trivially_copyable_v<T>
   void add(const std::vector<T>& values) {

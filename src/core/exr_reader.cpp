@@ -51,7 +51,7 @@ class HeaderCheck {
   }
 
  private:
-  /// The library sets memory aside for one chunk of all channels before it reads any.
+  /// Before it reads anything, the library allocates memory for one chunk of all channels.
   void requireBoundedChunk(exr_storage_t storage, long long width) const {
     constexpr long long bytesPerSample = 4;
     constexpr long long mostBytes = 1LL << 29;
@@ -62,7 +62,7 @@ class HeaderCheck {
       std::uint32_t tileWidth = 0;
       std::uint32_t tileHeight = 0;
       require(exr_get_tile_descriptor(context_, 0, &tileWidth, &tileHeight, nullptr, nullptr));
-      // A row of tiles is kept at a time.
+      // The library keeps one row of tiles at a time.
       pixels = (width + tileWidth) * tileHeight;
     } else {
       std::int32_t lines = 0;
@@ -94,7 +94,8 @@ bool isWholeChannelList(std::string_view bytes) {
   return bytes.size() == 1;
 }
 
-/// The C++ interface reads as many bytes of these types as it knows them to have.
+/// The C++ interface reads the fixed number of bytes that these types have, whatever the
+/// attribute's length.
 bool hasBytesOfItsType(std::string_view type, std::string_view bytes) {
   struct Type {
     std::string_view name;
@@ -115,8 +116,8 @@ bool hasBytesOfItsType(std::string_view type, std::string_view bytes) {
   return known == types.end() || known->bytes == bytes.size();
 }
 
-/// The C++ interface sets aside as many bytes as an attribute of unknown type claims to have,
-/// before it reads them. So every claim is held against the length of the file first.
+/// For an attribute of unknown type, the C++ interface allocates as many bytes as it claims to have
+/// before it reads them. So every claim is first checked against the length of the file.
 void requireAttributesFit(const std::filesystem::path& file) {
   constexpr std::streamoff startOfHeader = 8;
   const auto fileBytes = static_cast<std::streamoff>(std::filesystem::file_size(file));
@@ -130,7 +131,7 @@ void requireAttributesFit(const std::filesystem::path& file) {
   bool afterAttribute = false;
   while (std::getline(stream, name, '\0')) {
     if (name.empty()) {
-      // One empty name ends a header; of several headers the last one is empty itself.
+      // An empty name ends a header; an empty header ends a list of several.
       if (!multiPart || !afterAttribute) return;
       afterAttribute = false;
       continue;
@@ -158,7 +159,7 @@ std::string channelNames(const Imf::ChannelList& channels) {
   return names;
 }
 
-/// Names of the channels that become R, G, B and A; no name where there is no alpha.
+/// Names of the channels that become R, G, B and A; no name for A if there is no alpha.
 std::array<const char*, 4> chooseChannels(const std::filesystem::path& file,
                                           const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };

@@ -30,7 +30,7 @@ void writePixels(Imf::OStream& stream, const Image& image, std::string_view note
   Imf::FrameBuffer frame;
   for (std::size_t c = 0; c < names.size(); ++c) {
     header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
-    // The library takes a mutable pointer for reading and writing alike; here it only reads.
+    // The library takes a mutable pointer for reading and for writing; here it only reads.
     char* const base = reinterpret_cast<char*>(const_cast<float*>(image.rgba.data() + c));
     frame.insert(names[c], Imf::Slice(Imf::FLOAT, base, pixelBytes, rowBytes));
   }
@@ -49,10 +49,10 @@ std::filesystem::path writeExr(const Target& target, const Image& image, std::st
       Imf::StdOFStream exrStream(stream, temporary.c_str());
       writePixels(exrStream, image, note);
     } catch (const Iex::BaseExc&) {
-      // Its text names the temporary file; the stream's state says the same.
+      // The exception's text names the temporary file; the stream's state suffices.
       stream.setstate(std::ios::badbit);
     }
-    // The destructor of OutputFile writes the table of lines and swallows what goes wrong.
+    // The destructor of OutputFile has written the table of lines and swallowed errors.
     stream.close();
     if (!stream) throw std::runtime_error("the disk is full or failed");
   });

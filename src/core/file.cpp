@@ -66,7 +66,7 @@ void readExactly(std::ifstream& stream, const fs::path& file, std::vector<std::b
   if (stream.gcount() != count) failToRead(file, "it ended early or the disk failed");
 }
 
-/// Follows a symbolic link, so that what it points to is replaced and not the link.
+/// Follows a symbolic link, so that its target is replaced, not the link.
 fs::path resolved(const fs::path& target) {
   std::error_code error;
   if (!fs::is_symlink(target, error)) return target;
@@ -100,7 +100,7 @@ void requireFolder(const fs::path& target) {
   }
 }
 
-/// The file that will be replaced or created. Throws Error where that is bound to fail.
+/// The file that will be replaced or created. Throws Error if that is bound to fail.
 fs::path replaceable(const fs::path& target) {
   requireFolder(target);
   std::error_code error;
@@ -115,7 +115,7 @@ fs::path replaceable(const fs::path& target) {
   return real;
 }
 
-/// Beside which the temporary file is made. Throws Error where writing is bound to fail.
+/// The path beside which the temporary file is made. Throws Error if writing is bound to fail.
 fs::path checkedTarget(const Target& target) {
   if (target.existing == Existing::Replace) return replaceable(target.path);
   requireFolder(target.path);
@@ -125,12 +125,12 @@ fs::path checkedTarget(const Target& target) {
   return target.path;
 }
 
-/// The temporary files there are. A file is made, renamed and removed under the lock, so that
-/// whoever holds it knows all of them.
+/// All temporary files of this process. They are made, renamed and removed under the lock, so that
+/// its holder knows all of them.
 struct TemporaryFiles {
   std::mutex mutex;
   std::set<fs::path> paths;
-  std::set<fs::path> cleared;  ///< folders
+  std::set<fs::path> cleared;  ///< folders whose abandoned files were removed
 };
 
 TemporaryFiles& temporaryFiles() {
@@ -141,8 +141,8 @@ TemporaryFiles& temporaryFiles() {
 
 constexpr std::string_view temporaryStart = ".opaline-";
 
-/// Whoever makes a temporary file locks it for as long as it is one. So one that nobody has locked
-/// was left by a program that was killed.
+/// A temporary file is locked by its maker for as long as it exists. So an unlocked one was left by
+/// a program that was killed.
 void removeIfLeft(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -166,7 +166,7 @@ bool isTemporaryName(std::string_view name) {
 }
 
 void removeWhatIsLeftIn(const fs::path& folder) {
-  std::error_code ignored;  // they are in nobody's way
+  std::error_code ignored;  // files that stay do no harm
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
        entry.increment(ignored)) {
     if (isTemporaryName(entry->path().filename().string()) &&
@@ -179,7 +179,8 @@ void removeWhatIsLeftIn(const fs::path& folder) {
 class TemporaryFile {
  public:
   /// Creates an empty file beside `target` that was not there before, with the same extension:
-  /// some writers choose the format by it. The first in a folder clears what was left there.
+  /// some writers choose the format by it. The first in a folder removes those that killed programs
+  /// left there.
   explicit TemporaryFile(const fs::path& target) {
     constexpr std::size_t longestExtension = 16;
     std::string extension = target.extension().string();
@@ -215,7 +216,7 @@ class TemporaryFile {
     forget();
   }
 
-  /// False where something stands there, which stays.
+  /// False if the target exists; it then stays.
   bool renameUnlessTaken(const fs::path& target) {
     const std::lock_guard lock(temporaryFiles().mutex);
     if (renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0) {
@@ -228,15 +229,15 @@ class TemporaryFile {
   }
 
  private:
-  /// False, with a reason in errno, where there is one of that name, or somebody took the new one
-  /// for one that was left, before it was locked.
+  /// False, with a reason in errno, if the name is taken, or if another program removed the new
+  /// file as abandoned before it was locked.
   bool create(const fs::path& folder, const std::string& extension) {
     static std::atomic<unsigned> counter = 0;
     path_ = folder / fmt::format("{}{}-{}{}", temporaryStart, getpid(), counter++, extension);
     descriptor_ = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (descriptor_ < 0) return false;
     struct stat status {};
-    // Where a file system knows no locks, nobody clears either.
+    // On a file system without locks, nobody removes abandoned files either.
     if (flock(descriptor_, LOCK_EX) != 0 || fstat(descriptor_, &status) != 0 || status.st_nlink > 0)
       return true;
     close(descriptor_);
@@ -305,7 +306,7 @@ fs::path freeName(const fs::path& wanted) {
 }
 
 void requireWritable(const Target& target) {
-  // Permissions and kinds of file systems are best asked by trying.
+  // Only trying shows whether permissions and the file system allow it.
   const TemporaryFile probe(checkedTarget(target));
 }
 
@@ -371,7 +372,7 @@ fs::path writeWhole(const Target& target, std::string_view contents) {
 }
 
 void abandonTemporaryFiles() {
-  temporaryFiles().mutex.lock();  // for good
+  temporaryFiles().mutex.lock();  // never unlocked
   for (const fs::path& path : temporaryFiles().paths) unlink(path.c_str());
 }
 

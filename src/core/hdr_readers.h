@@ -22,8 +22,8 @@ Image readRadiance(const std::filesystem::path& file, std::span<const std::byte>
 /// Throws Error when width or height is not in [1, largestImageEdge].
 void requireImageSize(const std::filesystem::path& file, long long width, long long height);
 
-/// Collects the pixels of an image row by row. A header alone never makes it allocate much: memory
-/// is set aside in advance only as far as the length of the file makes it plausible.
+/// Collects the pixels of an image row by row. A header alone cannot make it allocate much: it
+/// reserves only as much memory as the length of the file makes plausible.
 class RowCollector {
  public:
   RowCollector(const std::filesystem::path& file, int width, int height, std::size_t fileBytes,

@@ -4,8 +4,8 @@
 
 namespace opaline::core {
 
-/// Whether this process may take so many bytes more now, by its limits (setrlimit(2)) and by what
-/// the system promises. Takes nothing.
+/// Whether this process can allocate that many more bytes now, by its limits (setrlimit(2)) and the
+/// system's overcommit policy. Keeps nothing.
 bool hasRoomFor(std::size_t bytes);
 
 }  // namespace opaline::core

@@ -43,7 +43,8 @@ PngHeader readHeader(const std::filesystem::path& file, const std::vector<std::b
           std::to_integer<std::uint32_t>(bytes[start.size() + 8])};
 }
 
-/// Rows before compression, at least, and at most: one byte of filter, then pixels of 1 to 64 bits.
+/// The least and the largest size of rows before compression: one byte of filter, then pixels of 1
+/// to 64 bits.
 struct RawBytes {
   std::size_t least;
   std::size_t most;
@@ -60,7 +61,7 @@ RawBytes rawBytes(const PngHeader& header) {
 
 Image readPng(const std::filesystem::path& file) {
   constexpr std::size_t limitBytes = std::size_t{1} << 30U;
-  // Deflate (RFC 1951) makes at most 258 bytes of two bits.
+  // Deflate (RFC 1951) expands two bits to at most 258 bytes.
   constexpr std::size_t mostExpansion = 1032;
   constexpr std::size_t tables = std::size_t{1} << 16U;
 

@@ -8,7 +8,7 @@
 
 namespace opaline::core {
 
-/// Throws UsageError for an image without pixels, or whose values are not four a pixel.
+/// Throws UsageError for an image without pixels, or without exactly four values per pixel.
 template <typename AnImage>
 void requireSound(const AnImage& image) {
   if (image.width > 0 && image.height > 0 &&

@@ -1,5 +1,5 @@
 // The only place that compiles stb_image and stb_image_write; everyone else includes the headers.
-// Files are read by our own code, which checks their length first, so no function that opens files.
+// Our own code reads files, after checking their length, so functions that open files are left out.
 
 #include "core/stb_memory.h"
 
@@ -39,7 +39,7 @@ StbMemoryLimit::~StbMemoryLimit() {
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
 #define STBI_FAILURE_USERMSG
-// stb_image casts what the macros above give in the style of C.
+// stb_image applies C-style casts to the results of the macros above.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #include <stb_image.h>

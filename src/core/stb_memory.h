@@ -4,8 +4,8 @@
 
 namespace opaline::core {
 
-/// While it lives, stb_image on this thread gets no block of memory larger than that: a few bytes
-/// of compressed zeros would otherwise make it allocate gigabytes.
+/// While it lives, stb_image gets no larger block of memory on this thread. Otherwise a few bytes
+/// of compressed zeros could make it allocate gigabytes.
 class StbMemoryLimit {
  public:
   explicit StbMemoryLimit(std::size_t largestBlockBytes);

@@ -8,10 +8,10 @@
 
 namespace opaline::core {
 
-/// Pixels of one texture, at most: 8192 × 8192.
+/// The largest number of pixels of a texture: 8192 × 8192.
 inline constexpr std::size_t mostTexturePixels = std::size_t{1} << 26U;
 
-/// Throws Error for a picture that has more of them, or no sensible size.
+/// Throws Error for a picture that has more pixels or no sensible size.
 void requireTextureSize(const std::filesystem::path& file, int width, int height);
 
 /// A PNG, JPEG or WebP picture as it is stored. Throws Error, naming the file, for anything else,

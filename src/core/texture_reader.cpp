@@ -26,8 +26,8 @@ bool startsWith(std::span<const std::byte> bytes, std::string_view magic) {
          std::equal(magic.begin(), magic.end(), bytes.begin(), same);
 }
 
-// Pixels that a byte can hold. Deflate (RFC 1951) makes at most 1032 bytes of one, and a pixel
-// takes an eighth of one or more; JPEG needs two bits for a component's 64 pixels.
+// The most pixels that one byte can encode. Deflate (RFC 1951) expands a byte to at most 1032, and
+// a pixel takes at least an eighth of a byte. JPEG needs two bits for a component's 64 pixels.
 constexpr std::size_t mostOfPngByte = std::size_t{1032} * 8;
 constexpr std::size_t mostOfJpegByte = 1024;
 constexpr std::string_view jpegStart = "\xff\xd8\xff"sv;
@@ -38,9 +38,9 @@ std::size_t mostPixels(const std::filesystem::path& file, std::span<const std::b
   failToReadImage(file, bytes.empty() ? "it is empty" : "it is neither PNG nor JPEG nor WebP");
 }
 
-/// The tables of Huffman codes in a JPEG file (ITU T.81, annex B), as stb_image comes to them. It
-/// leaves its memory where a table has too many codes, and where a scan names one that is not
-/// there.
+/// The tables of Huffman codes in a JPEG file (ITU T.81, annex B), in the order in which stb_image
+/// reads them. stb_image leaves its memory if a table has too many codes, or if a scan names a
+/// table that is missing.
 class JpegTables {
  public:
   explicit JpegTables(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -50,7 +50,7 @@ class JpegTables {
     while (const std::optional<unsigned> marker = nextMarker()) {
       if (*marker == endOfImage) return true;
       const unsigned length = twoBytes();
-      if (length < 2 || at_ > bytes_.size()) return true;  // damaged, as stb_image finds too
+      if (length < 2 || at_ > bytes_.size()) return true;  // stb_image itself finds such damage
       const std::size_t end = at_ + length - 2;
       if (*marker == progressiveFrame) progressive_ = true;
       if (*marker == huffmanTables && !tablesFit(end)) return false;
@@ -66,7 +66,7 @@ class JpegTables {
   static constexpr unsigned huffmanTables = 0xC4;
   static constexpr unsigned endOfImage = 0xD9;
   static constexpr unsigned startOfScan = 0xDA;
-  // F.1.2 has at most 176, and stb_image takes the 256th for none.
+  // F.1.2 allows at most 176, and to stb_image the index of the 256th means none.
   static constexpr unsigned mostCodes = 255;
 
   unsigned byte() {
@@ -80,7 +80,7 @@ class JpegTables {
     return high << 8U | byte();
   }
 
-  /// In a scan a zero behind 0xFF makes that a value, and there are markers to restart from.
+  /// In a scan, 0xFF followed by zero is a value, and there are restart markers.
   std::optional<unsigned> nextMarker() {
     while (at_ < bytes_.size()) {
       if (byte() != 0xFF) continue;

@@ -31,7 +31,7 @@ Rgb neutral(Rgb color) {
   return color;
 }
 
-/// Exposed radiance that the curves can bear: no NaN, nothing negative, nothing infinite.
+/// Exposed radiance that the curves can take: neither NaN nor negative nor infinite.
 float exposed(float radiance, float factor) {
   constexpr float largest = 1e18F;
   const float value = radiance * factor;

@@ -10,8 +10,8 @@ namespace opaline::core {
 
 bool isWebp(std::span<const std::byte> bytes);
 
-/// A still WebP picture. As readTexture(); its compression has no bound on pixels per byte, so
-/// mostTexturePixels is the only limit.
+/// Reads a still WebP picture like readTexture(). Its compression has no bound on pixels per byte,
+/// so mostTexturePixels is the only limit.
 TexturePixels readWebp(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 }  // namespace opaline::core

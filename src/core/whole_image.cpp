@@ -25,7 +25,7 @@ std::uint32_t bigEndian(const char* bytes) {
   return value;
 }
 
-/// PNG specification, sections 5.2, 11.2.2 (IHDR) and 11.2.5 (IEND): what comes first and last.
+/// PNG specification, sections 5.2, 11.2.2 (IHDR) and 11.2.5 (IEND): the first and the last bytes.
 bool isWholePng(const fs::path& file, int width, int height) {
   constexpr std::string_view start = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"sv;
   constexpr std::string_view end = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
@@ -41,7 +41,7 @@ bool isWholePng(const fs::path& file, int width, int height) {
          std::string_view(tail.data(), tail.size()) == end;
 }
 
-/// OpenEXR's C interface; closes the file in the end.
+/// A header read by OpenEXR's C interface. Closes the file at the end.
 class ExrHeader {
  public:
   explicit ExrHeader(const fs::path& file) {
@@ -102,7 +102,7 @@ bool isWholeExr(const fs::path& file, int width, int height, std::uintmax_t file
   return header.describes(width, height) && header.blocksFit(height, fileBytes);
 }
 
-/// Looks only before the pixels, where ours stands.
+/// Looks only before the pixels, where the library writes its notes.
 std::optional<std::string> noteOfPng(const fs::path& file) {
   constexpr std::string_view signature = "\x89PNG\r\n\x1a\n"sv;
   constexpr std::string_view keyword = "Opaline\0"sv;

@@ -10,13 +10,13 @@ namespace opaline {
 
 namespace {
 
-constexpr double leastAbove = 0.05;  // of all light, for which it is worth while
+constexpr double leastAbove = 0.05;  // least share of all light for which it is worthwhile
 
 double sumOf(const Rgb& rgb) {
   return double{rgb[0]} + double{rgb[1]} + double{rgb[2]};
 }
 
-// Within a part, by the lattice of low discrepancy of Roberts 2018.
+// A place within a part, by the low-discrepancy lattice of Roberts 2018.
 Vec3 within(int column, int row, std::size_t i) {
   const auto at = [&](double step) { return std::fmod(0.5 + static_cast<double>(i) * step, 1.0); };
   return latLongDirection((column + at(0.7548776662466927)) / SkyParts::width,
@@ -51,7 +51,7 @@ BrightDirections brightDirectionsOf(const SkyParts& sky) {
            ++next)
         bright.towards[next] = within(column, row, next);
     }
-  // What rounding may have left.
+  // Directions that rounding may have left out.
   for (; next > 0 && next < bright.count; ++next) bright.towards[next] = bright.towards[next - 1];
   return bright;
 }

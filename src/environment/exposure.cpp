@@ -17,8 +17,9 @@ namespace {
 
 using std::numbers::pi;
 
-// Radiance of white that is left as it is. Pictures lit from behind, as most of translucent things
-// are, show little of their brightest side, so that it may be brighter than white.
+// The range of the radiance of white for which the exposure stays 0. Most pictures of translucent
+// things are lit from behind and show little of the brightest side, so that side may be brighter
+// than white.
 constexpr double darkest = 0.25;
 constexpr double brightest = 2.5;
 constexpr double mostStops = 32;
@@ -55,7 +56,7 @@ Beam beamOf(const SpotLight& light, const Vec3& middle, double leastDistanceMm) 
   return beam;
 }
 
-// By even places all over the light.
+// By places spread evenly over the light.
 Beam beamOf(const AreaLight& light, const Vec3& middle, double leastDistanceMm) {
   constexpr int steps = 24;
   std::array<double, 3> sum{};

@@ -12,7 +12,7 @@ namespace opaline {
 Vec3 latLongDirection(double u, double v);
 std::array<double, 2> latLongCoordinates(const Vec3& direction);
 
-/// Radiance of an environment that comes from a direction, between its pixels linear.
+/// Radiance that an environment sends from a direction, interpolated linearly between pixels.
 Rgb radianceFrom(const Image& environment, const Vec3& direction);
 
 /// Evenly spread unit directions (spherical Fibonacci lattice, Swinbank and Purser 2006).

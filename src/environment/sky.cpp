@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 using Colour = std::array<double, 3>;
 
-// Goes over the parts of 0 to `parts` that pixel `i` of `pixels` covers: part(index, from, to), its
-// ends in parts.
+// Calls part(index, from, to) for every one of `parts` parts that pixel `i` of `pixels` covers;
+// `from` and `to` are the ends of the covered stretch, in parts.
 template <typename Part>
 void forEachCovered(int i, int pixels, int parts, const Part& part) {
   const double from = static_cast<double>(i) * parts / pixels;
@@ -30,7 +30,7 @@ double cosineAt(double row) {
   return std::cos(pi * row / SkyParts::height);
 }
 
-// A row's radiance times width, by columns of the parts.
+// Adds up a row's radiance times width in each column of the parts.
 void addRow(const Image& image, int y, std::vector<Colour>& columns) {
   std::fill(columns.begin(), columns.end(), Colour{});
   const float* pixel = image.pixel(0, y);

@@ -8,14 +8,14 @@
 
 namespace opaline {
 
-/// Irradiance by the sky where nothing is in the way, by the surface's normal: the integral of
-/// radiance over the hemisphere, weighted by a function of the cosine to the normal. Exact for an
-/// even sky, else within some tenths of a per cent.
+/// Irradiance by an unoccluded sky as a function of the surface's normal: the integral of radiance
+/// over the hemisphere, weighted by a function of the cosine to the normal. It is exact for an even
+/// sky and otherwise correct within some tenths of a per cent.
 class SkyIrradiance {
  public:
-  /// All that arrives.
+  /// All light that arrives.
   static SkyIrradiance arriving(SkyParts sky);
-  /// What enters a medium of that index of refraction, E = ∫ L F_t(η,μ) μ dω.
+  /// The light that enters a medium of that index of refraction, E = ∫ L F_t(η,μ) μ dω.
   static SkyIrradiance entering(SkyParts sky, double eta);
 
   std::array<double, 3> at(const Vec3& normal) const;

@@ -17,16 +17,16 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int mostColumns = 2048;          // a sun is several of their pixels wide
-constexpr double brightness = 30;          // over the mean
+constexpr int mostColumns = 2048;          // so many that a sun is several pixels wide
+constexpr double brightness = 30;          // relative to the mean
 constexpr double leastPart = 0.01;         // of all light
 constexpr double largestRadius = pi / 36;  // 5°
 constexpr double surroundings = pi * 25 / 180;
-constexpr std::size_t mostSamples = 20'000;  // of the surroundings
+constexpr std::size_t mostSamples = 20'000;  // taken from the surroundings
 
 using Colour = std::array<double, 3>;
 
-// Rec. 709.
+// ITU-R BT.709.
 double luminance(const float* rgb) {
   return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
 }
@@ -44,9 +44,9 @@ struct Place {
 struct Spot {
   std::vector<Place> pixels;
   std::array<double, 3> towards{};  // unit
-  double radius = 0;                // angle: of a disc whose mean direction is as long
+  double radius = 0;                // angle of a disc whose mean direction has the same length
   Colour around{};                  // radiance
-  Colour irradiance{};              // on a surface that faces it, above that
+  Colour irradiance{};              // above `around`, on a surface that faces the spot
 };
 
 class SunFinder {
@@ -69,7 +69,7 @@ class SunFinder {
       for (int x = 0; x < image_.width; ++x) {
         if (!isBright({x, y}) || wasSeen({x, y})) continue;
         std::vector<Place> pixels = connectedTo({x, y});
-        // There may be very many that are too faint, and weighing one takes long.
+        // There may be very many faint ones, and measuring one takes long.
         if (!(grossLightOf(pixels) > leastPart * allLight_)) continue;
         Spot spot = measured(std::move(pixels));
         if (spot.radius <= largestRadius) spots.push_back(std::move(spot));
@@ -82,7 +82,7 @@ class SunFinder {
     return spots;
   }
 
-  // The environment without them.
+  // The environment without the suns.
   Image rest(const std::vector<Spot>& suns) const {
     Image rest = image_;
     for (const Spot& sun : suns) {
@@ -115,7 +115,7 @@ class SunFinder {
     return luminance(rgb.data());
   }
 
-  // Bright pixels that touch, across the seam as well.
+  // Bright pixels that touch each other, across the seam as well.
   std::vector<Place> connectedTo(const Place& first) {
     std::vector<Place> found;
     const auto take = [&](const Place& at) {
@@ -132,7 +132,7 @@ class SunFinder {
     return found;
   }
 
-  // With what would be there without it.
+  // The light of these pixels, including what would be there without a sun.
   double grossLightOf(const std::vector<Place>& pixels) const {
     double sum = 0;
     for (const Place& at : pixels)
@@ -164,8 +164,9 @@ class SunFinder {
                               std::max(double{image_.pixel(at.x, at.y)[c]} - spot.around[c], 0.0);
   }
 
-  // Of pixels that are no candidates themselves, by channel; each stands for the same solid angle,
-  // as those of a row are taken as sparsely as it is narrow.
+  // The median, by channel, of the pixels around a spot that are not candidates themselves. Each
+  // sample stands for the same solid angle, because shorter rows near the poles are sampled more
+  // sparsely.
   Colour medianAround(const Spot& spot) const {
     const double nearest = std::cos(surroundings);
     const auto sparse = static_cast<int>(std::ceil(

@@ -18,7 +18,7 @@ Double3 toDouble(const Vec3& v) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
 
-/// Two directions across a unit direction and each other (Duff et al. 2017).
+/// Two unit directions perpendicular to a unit direction and to each other (Duff et al. 2017).
 std::array<Double3, 2> across(const Double3& n) {
   const double sign = std::copysign(1.0, n[2]);
   const double a = -1 / (sign + n[2]);
@@ -117,7 +117,8 @@ double reachOf(const Light& light) {
   return double{light.radiusMm};
 }
 
-/// To a plane's side that shines, and where on it that is from its middle.
+/// The distance to the side of a plane that shines, and the offset of the hit point from its
+/// middle.
 struct OnPlane {
   double distance;
   Double3 offset;
@@ -152,8 +153,9 @@ std::optional<double> distanceTo(const DiscLight& light, const Double3& from,
   return inside ? std::optional(met->distance) : std::nullopt;
 }
 
-/// To the near side of what a line is within `radius` of at its place nearest to the middle, which
-/// lies `along` and `aside` of it; `slant` is the part of the way that goes towards that.
+/// The distance at which a line meets the near side of a sphere or tube. The line is nearest to its
+/// middle after `along`, at a distance `aside`; `slant` is the share of the way that is
+/// perpendicular to the axis.
 std::optional<double> nearSide(double along, double aside, double slant, double radius) {
   if (!(aside < radius)) return std::nullopt;
   const double distance = along - std::sqrt(radius * radius - aside * aside) / slant;
@@ -172,7 +174,7 @@ std::optional<double> distanceTo(const TubeLight& light, const Double3& from,
   const Double3 end = toDouble(light.fromMm);
   const Double3 axis = toDouble(light.toMm) - end;
   const Double3 along = unit(axis);
-  // Across the axis, where the tube is a circle.
+  // In the plane across the axis, where the tube is a circle.
   const Double3 across = direction - dot(direction, along) * along;
   const double slant = length(across);
   if (!(slant > 0)) return std::nullopt;

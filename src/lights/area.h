@@ -15,26 +15,28 @@ struct AreaPoint {
 
 Rgb radianceOf(const AreaLight& light);
 
-/// Whether it shines to the side away from its normals as well.
+/// Whether the light also shines to the side that its normals do not face.
 bool isTwoSided(const AreaLight& light);
 
-/// Whether the picture itself shows it.
+/// Whether the picture itself shows the light.
 bool isVisible(const AreaLight& light);
 
-/// How far along a unit direction from a place it is seen first, mm; nothing where it is not seen.
+/// The distance from a place, along a unit direction, at which the light is first seen, mm; nothing
+/// if it is not seen.
 std::optional<double> distanceAlong(const std::array<double, 3>& fromMm,
                                     const std::array<double, 3>& direction, const AreaLight& light);
 
-/// Of what shines, one side of it.
+/// The area of one shining side.
 double areaMm2(const AreaLight& light);
 
-/// The place for two numbers in [0, 1]: even numbers make even places.
+/// A place on the light for two numbers in [0, 1]. Uniformly distributed numbers give uniformly
+/// distributed places.
 AreaPoint pointOn(const AreaLight& light, double x, double y);
 
 /// The unit normal to the side that shines, at a place of the light.
 std::array<double, 3> normalAt(const AreaLight& light, const std::array<double, 3>& placeMm);
 
-/// The middle of the light, and how far any of it is from there.
+/// The middle of the light, and the largest distance of its points from there.
 std::array<double, 3> middleOf(const AreaLight& light);
 double reachMm(const AreaLight& light);
 

@@ -19,7 +19,7 @@ struct Fit {
   double error = 0;  // squared
 };
 
-// The best plain lobe for a stretch: the wide one takes what even light lacks.
+// The best plain lobe for a stretch; the wide lobe then follows from the total in even light.
 Fit fitWith(double stretch, double eta, double mean) {
   constexpr int steps = 64;
   double products = 0;

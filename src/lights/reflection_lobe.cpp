@@ -24,7 +24,7 @@ struct Sample {
   double weight;
 };
 
-// What the eye sees of the surface, in the frame of the mirrored direction.
+// The surface and the eye, in the frame of the mirrored direction.
 struct Surface {
   Direction normal;
   Direction out;
@@ -34,7 +34,8 @@ struct Surface {
 
 Surface surfaceOf(double alpha, double cosine) {
   const double sine = std::sqrt(1 - cosine * cosine);
-  // The mirrored direction is z; the normal lies towards -x from it, and the eye as far beyond.
+  // The mirrored direction is z. The normal lies towards -x from it, and the eye at twice that
+  // angle.
   return {{-sine, 0, cosine}, {-2 * sine * cosine, 0, 2 * cosine * cosine - 1}, alpha, cosine};
 }
 
@@ -82,7 +83,7 @@ double valueOf(const ReflectionLobe& lobe, const Frame& frame, const Direction& 
   return std::max(cosineLobe[2], 0.0) / (pi * squared * squared * lobe.along * lobe.across);
 }
 
-// Even over directions: a grid that follows the narrow lobe by the transform that has its widths.
+// Samples spread over directions by a grid that is transformed to the widths of the narrow lobe.
 std::vector<Sample> samplesOf(const Surface& surface) {
   constexpr int rings = 16;
   constexpr int sectors = 12;

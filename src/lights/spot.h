@@ -4,8 +4,9 @@
 
 namespace opaline {
 
-/// How a spot light falls off from its axis, by the cosine to that: (scale · cosine + offset)²,
-/// clamped between 0 and 1. KHR_lights_punctual, "Inner and Outer Cone Angles".
+/// How a spot light falls off with the cosine to its axis: (scale · cosine + offset)², where the
+/// sum is clamped to [0, 1] before it is squared. KHR_lights_punctual, "Inner and Outer Cone
+/// Angles".
 struct SpotFalloff {
   double scale = 0;
   double offset = 1;
