@@ -110,7 +110,7 @@ T ellipsoid(const Place<T>& p, const Point& centre, const Point& radii, double t
   const Place<T> slope = {(1 / radii[0]) * unit.x, (1 / radii[1]) * unit.y,
                           (1 / radii[2]) * unit.z};
   const T k = root(squaredLength(unit));
-  if (valueOf(k) < 1e-3) {  // at its centre both lengths vanish
+  if (valueOf(k) < 1e-3) {  // both lengths vanish at the centre
     return T{-std::fmin(radii[0], std::fmin(radii[1], radii[2]))};
   }
   return k * (k - 1.0) * reciprocal(root(squaredLength(slope)));
@@ -121,7 +121,7 @@ T clampToUnit(const T& a) {
   return valueOf(a) <= 0 ? T{0} : valueOf(a) >= 1 ? T{1} : a;
 }
 
-/// All that is within a radius of the segment from a to b.
+/// The places within a radius of the segment from a to b.
 template <typename T>
 T stick(const Place<T>& p, const Point& a, const Point& b, double radius) {
   const Place<T> q = moved(p, a);

@@ -88,7 +88,7 @@ struct Net {
   std::vector<std::array<std::uint32_t, 4>> quads;  // counter-clockwise seen from outside
 };
 
-/// Mean of the points where the surface crosses the edges of a cell; false where it crosses none.
+/// Mean of the points where the surface crosses the edges of a cell; false if it crosses none.
 bool crossingMean(const Lattice& lattice, const Lattice::Index& cell, Point& mean) {
   Point sum{};
   int count = 0;

@@ -13,8 +13,8 @@ struct FieldSample {
   std::array<double, 3> gradient;
 };
 
-/// A body as its signed distance, alone for the many places away from the surface and with
-/// gradient.
+/// A body as its signed distance. `distance` leaves the gradient out, for the many places away from
+/// the surface.
 struct Field {
   std::function<double(const std::array<double, 3>&)> distance;
   std::function<FieldSample(const std::array<double, 3>&)> sample;

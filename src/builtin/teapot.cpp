@@ -1,5 +1,6 @@
 // M. Newell, "The utilization of procedure models in digital image synthesis", University of Utah,
-// 1975: 32 bicubic Bézier patches, here as the two or one of each part that symmetry does not give.
+// 1975: 32 bicubic Bézier patches, here only the one or two of each part that do not follow by
+// symmetry.
 
 #include <array>
 #include <cmath>
@@ -19,7 +20,7 @@ using Patch = std::array<std::array<Point, 4>, 4>;
 constexpr int cells = 6;
 
 /// A control point of a profile that turns about the vertical axis. The circle's tangent factor is
-/// .56 throughout but for the knob of the lid.
+/// .56 everywhere except at the knob of the lid.
 struct ProfilePoint {
   double radius;
   double height;
@@ -62,7 +63,7 @@ constexpr Tube upperSpout = {{{2.7, 2.4, 3.3, 2.4, .25},
                               {2.9, 2.475, 3.45, 2.5125, .15},
                               {2.8, 2.4, 3.2, 2.4, .15}}};
 
-/// A quarter turn of a profile, which runs downwards on the outside: rows along the profile,
+/// A quarter turn of a profile that runs downwards on the outside. Rows are along the profile,
 /// columns around the axis.
 Patch revolved(const Profile& profile, int quarter) {
   constexpr std::array<int, 4> cosine = {1, 0, -1, 0};

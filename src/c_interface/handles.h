@@ -13,13 +13,14 @@
 #include "opaline/soft_body.h"
 #include "opaline/view.h"
 
-/// What handles of views, soft bodies and renderers stand for.
+/// What a handle of a view points to.
 struct OpalineView : opaline::c::Handle<OpalineView> {
   OpalineRenderer* renderer;
   opaline::View view;
-  opaline::Frame frame;         ///< kept, so that collecting allocates nothing
-  bool isFrameWaiting = false;  ///< it was collected, but did not fit where it was to go
-  std::optional<opaline::RenderReport> report;  ///< as it was last asked for, of the last frame
+  opaline::Frame frame;         ///< kept so that collecting allocates nothing
+  bool isFrameWaiting = false;  ///< it was collected, but the caller's targets did not fit
+  std::optional<opaline::RenderReport> report;  ///< the last that was requested; none if another
+                                                ///< frame has been made since
 };
 
 struct OpalineSoftBody : opaline::c::Handle<OpalineSoftBody> {
@@ -27,7 +28,8 @@ struct OpalineSoftBody : opaline::c::Handle<OpalineSoftBody> {
   opaline::SoftBody body;
 };
 
-/// Views and soft bodies go before the renderer that they work with.
+/// What a handle of a renderer points to. Its views and soft bodies are destroyed before the
+/// renderer.
 struct OpalineRenderer : opaline::c::Handle<OpalineRenderer> {
   opaline::Renderer renderer;
   std::vector<std::size_t> vertexCounts;  ///< of the scene's objects
@@ -38,19 +40,19 @@ struct OpalineRenderer : opaline::c::Handle<OpalineRenderer> {
 namespace opaline::c {
 
 Aov aovOf(const OpalineAov& given);
-/// One of the machine's.
+/// One of the machine's devices.
 DeviceDescription deviceOf(std::size_t index);
-/// How a frame is ordered beside its variables, in C as ints.
+/// The order of a frame with these variables; the other options are C's ints.
 FrameOrder orderOf(std::vector<Aov> aovs, std::int32_t reuseLight, std::int32_t impatient);
 std::vector<Aov> aovsOf(const OpalineAov* aovs, std::size_t count);
 
-/// A view whose frames change, and with them its report.
+/// The view of a handle, for a call that makes a frame: its report becomes outdated.
 View& changing(OpalineView* view);
 
 /// The device that a caller gives, in C++.
 Given givenOf(const OpalineGivenVulkan& given);
 
-/// Takes a part of a renderer out of what it keeps, if it is still there.
+/// Destroys a part that a renderer keeps, if it still exists.
 template <typename Part>
 void destroyPart(Part* part, std::vector<std::unique_ptr<Part>> OpalineRenderer::*parts) noexcept {
   if (!isLiving(part)) return;
@@ -58,7 +60,7 @@ void destroyPart(Part* part, std::vector<std::unique_ptr<Part>> OpalineRenderer:
                 [&](const std::unique_ptr<Part>& kept) { return kept.get() == part; });
 }
 
-/// Makes a renderer keep a new part of it, and gives that to the caller.
+/// Makes a renderer keep a new part, and gives the caller its handle.
 template <typename Part>
 void keep(Part* made, std::vector<std::unique_ptr<Part>> OpalineRenderer::*parts, Part** to) {
   std::unique_ptr<Part> part(made);

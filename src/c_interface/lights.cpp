@@ -27,7 +27,7 @@ Lighting& lightingOf(OpalineScene* scene) {
   return required(scene, "scene").scene.lighting;
 }
 
-/// Refuses what cannot be rendered, alone or with the lights that are there, which then stay.
+/// Throws for lighting that cannot be rendered; the scene's lights then stay as they are.
 void set(OpalineScene* scene, Lighting lighting) {
   lightingOf(scene) = sound(std::move(lighting));
 }

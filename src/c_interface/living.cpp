@@ -14,7 +14,7 @@ struct LivingHandles {
   std::unordered_map<const void*, std::string_view> kinds;
 };
 
-// Never destroyed: programs may destroy handles when they end, after static objects of ours.
+// Never destroyed: a program may destroy handles at its end, after the library's static objects.
 LivingHandles& all() {
   static auto& handles = *new LivingHandles;
   return handles;

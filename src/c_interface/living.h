@@ -6,7 +6,7 @@
 
 namespace opaline::c {
 
-/// What a handle stands for, as messages call it; null for all that is no handle.
+/// The name that messages use for a kind of handle; null for types that are not handles.
 template <typename T>
 inline constexpr const char* kindOf = nullptr;
 template <>
@@ -26,11 +26,12 @@ inline constexpr const char* kindOf<OpalineView> = "view";
 
 void addLiving(const void* handle, const char* kind);
 void removeLiving(const void* handle) noexcept;
-/// Whether that was made, as one of that kind, and has not been destroyed. May be called from any
-/// thread with any pointer, which is not read.
+/// Whether a handle was made as one of that kind and has not been destroyed. May be called from any
+/// thread with any pointer; what it points to is not read.
 bool isLiving(const void* handle, const char* kind) noexcept;
 
-/// What handles stand for begins with this, so that a call with another pointer can be refused.
+/// The base of all that handles point to. It registers them, so that a call with any other pointer
+/// can be refused.
 template <typename T>
 struct Handle {
   Handle() { addLiving(this, kindOf<T>); }
@@ -45,7 +46,7 @@ bool isLiving(T* handle) noexcept {
   return isLiving(static_cast<const Handle<Made>*>(handle), kindOf<Made>);
 }
 
-/// Does nothing where there is nothing, or no longer.
+/// Does nothing for null or for a handle that has been destroyed.
 template <typename T>
 void destroy(T* handle) noexcept {
   if (isLiving(handle)) delete handle;

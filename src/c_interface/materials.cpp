@@ -20,7 +20,7 @@ namespace {
 
 static_assert(static_cast<int>(TextureWrap::ClampToEdge) == OpalineWrapClampToEdge);
 
-/// To 16 bits, so that the largest number stays the largest.
+/// Widens to 16 bits; the largest number becomes the largest.
 template <typename Stored>
 void widen(const void* from, std::vector<std::uint16_t>& to) {
   constexpr int factor =
@@ -150,7 +150,7 @@ OpaqueMaterial opaqueOf(const OpalineOpaqueMaterial& from) {
   return sound(std::move(material));
 }
 
-/// Attributes of vertices, which has to be as many as the mesh has.
+/// Attributes of vertices. Throws unless there are as many as the mesh has vertices.
 template <typename Vector>
 std::vector<Vector> attributesOf(const Object& object, const float* values, std::size_t count,
                                  std::size_t strideBytes, const char* name) {

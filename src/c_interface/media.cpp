@@ -9,7 +9,7 @@ namespace opaline::c {
 
 namespace {
 
-// The interfaces number their choices alike.
+// Both interfaces number the choices in the same way.
 static_assert(static_cast<int>(ColorModel::Khr) == OpalineColorKhr);
 
 const std::vector<Medium>& namedMedia() {

@@ -14,7 +14,7 @@ namespace opaline::c {
 
 namespace {
 
-// The interfaces number their choices alike.
+// Both interfaces number the choices in the same way.
 static_assert(static_cast<int>(Transport::Boundary) == OpalineTransportBoundary);
 static_assert(static_cast<int>(Sum::All) == OpalineSumAll);
 static_assert(static_cast<int>(Site::Fragment) == OpalineSiteFragment);
@@ -22,7 +22,7 @@ static_assert(static_cast<int>(Aov::DsmArea) == OpalineAovDsmArea);
 static_assert(static_cast<int>(LogLevel::Warning) == OpalineWarning);
 static_assert(sizeof(OpalineAov) == 4 && sizeof(OpalineTransport) == 4);
 
-// A frame may give one of them twice.
+// More than there are, since a frame may return a variable twice.
 constexpr std::size_t mostVariables = 64;
 
 OpalineRendererOptions defaultRendererOptions() {
@@ -256,7 +256,8 @@ OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t object,
                                   size_t strideBytes) {
   return guarded([&] {
     const std::vector<std::size_t>& counts = required(renderer, "renderer").vertexCounts;
-    if (object < counts.size() && vertexCount != counts[object])  // before any are read
+    // Checked before any position is read.
+    if (object < counts.size() && vertexCount != counts[object])
       throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
                                    counts[object], vertexCount));
     renderer->renderer.replacePositions(

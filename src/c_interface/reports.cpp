@@ -20,7 +20,7 @@ void giveDevice(const DeviceDescription& device, OpalineDeviceFacts* to) {
   give(whole, to, "facts");
 }
 
-/// The one at hand, as long as no frame has come since.
+/// The last report, or a new one if a frame has been made since.
 const RenderReport& reportOf(OpalineView* view) {
   std::optional<RenderReport>& report = required(view, "view").report;
   if (!report) report = view->view.report();

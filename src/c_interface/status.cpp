@@ -9,7 +9,7 @@ namespace opaline::c {
 
 namespace {
 
-/// Of fixed length, since memory may be what has run out.
+/// Of fixed length, because memory may have run out.
 thread_local std::array<char, 4096> lastMessage{};
 
 }  // namespace

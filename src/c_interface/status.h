@@ -12,7 +12,7 @@ namespace opaline::c {
 /// Keeps the message for opalineLastError() and returns the status.
 OpalineStatus failed(OpalineStatus status, std::string_view message) noexcept;
 
-/// Does the work of a call. Nothing is thrown through it.
+/// Does the work of a call and turns exceptions into its status.
 template <typename Work>
 OpalineStatus guarded(Work&& work) noexcept {
   try {

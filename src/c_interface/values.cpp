@@ -16,7 +16,7 @@ void requireCount(std::size_t count, std::size_t most, const char* name) {
 
 std::vector<std::string> stringsOf(const char* const* strings, std::size_t count,
                                    const char* name) {
-  constexpr std::size_t most = 1024;  // Vulkan has some hundred extensions
+  constexpr std::size_t most = 1024;  // Vulkan has a few hundred extensions
   requireCount(count, most, name);
   if (count > 0) required(strings, name);
   std::vector<std::string> made;

@@ -22,7 +22,7 @@
 
 namespace opaline::c {
 
-/// What is pointed to. A handle has to be one that lives.
+/// What a pointer points to. Throws UsageError for null and for a handle that is not living.
 template <typename T>
 T& required(T* pointer, const char* name) {
   if (!pointer) throw UsageError(fmt::format("{} is NULL.", name));
@@ -35,8 +35,8 @@ T& required(T* pointer, const char* name) {
   return *pointer;
 }
 
-/// The size that a struct had when it came into the interface. One that has grown since gets a
-/// specialization here, so that what was compiled before still fits.
+/// The size of a struct when it was added to the interface. A struct that has grown since has a
+/// specialization, so that programs compiled before still work.
 template <typename T>
 constexpr std::size_t firstSize = sizeof(T);
 template <>
@@ -58,7 +58,7 @@ void requireSize(const T& structure, const char* name) {
   }
 }
 
-/// A struct as it was given, and by default where it is shorter.
+/// A struct as it was given, with defaults for members that a shorter one lacks.
 template <typename T>
 T wholeOf(const T* given, const T& standard, const char* name) {
   requireSize(required(given, name), name);
@@ -67,7 +67,7 @@ T wholeOf(const T* given, const T& standard, const char* name) {
   return whole;
 }
 
-/// Fills a struct as far as the caller knows it.
+/// Fills the members of a struct that the caller's version has.
 template <typename T>
 void give(T whole, T* to, const char* name) {
   requireSize(required(to, name), name);
@@ -75,8 +75,8 @@ void give(T whole, T* to, const char* name) {
   std::memcpy(to, &whole, to->size);
 }
 
-/// One of an enumeration whose values go from 0 to `last`. C programs may give any number, which is
-/// no value of that type in C++ and must not be read as one.
+/// A value of an enumeration whose values go from 0 to `last`. C programs may pass any number.
+/// Others are not values of the type in C++ and must not be read as such.
 template <typename Choice, typename Given>
 Choice choiceOf(const Given& given, Given last, const char* name) {
   std::int32_t number = 0;
@@ -88,7 +88,7 @@ Choice choiceOf(const Given& given, Given last, const char* name) {
   return static_cast<Choice>(number);
 }
 
-/// What can be rendered, or else UsageError.
+/// Returns a value that can be rendered; throws UsageError for any other.
 template <typename T>
 T sound(T value) {
   using options::complaintAbout;
@@ -112,7 +112,7 @@ void give(const Camera& camera, OpalineCamera* to);
 
 void requirePictureSize(int width, int height);
 
-/// Of 4 · width · height floats.
+/// The image of 4 · width · height floats.
 Image imageOf(const float* rgba, int width, int height, const char* name);
 
 LogCallback logOf(OpalineLog log, void* context);
@@ -120,16 +120,16 @@ LogCallback logOf(OpalineLog log, void* context);
 /// The strings of an array, as they are given in C.
 std::vector<std::string> stringsOf(const char* const* strings, std::size_t count, const char* name);
 
-/// As much of a text as there is room for.
+/// Copies as much of a text as there is room for.
 void give(std::string_view text, char* to, std::size_t roomBytes, const char* name);
 
 LoadOptions loadOptionsOf(const OpalineLoadOptions* given);
 
-/// Of an array in the caller's memory, before any of it is read.
+/// Throws UsageError for an array with more elements than `most`, before any of it is read.
 void requireCount(std::size_t count, std::size_t most, const char* name);
 
-/// The structs of an array. Those of another size than this version's lie as far apart as the first
-/// says.
+/// Calls `use` for each struct of an array. The first one's size is the distance between them,
+/// which may differ from this version's.
 template <typename T, typename Use>
 void forEachOf(const T* first, std::size_t count, std::size_t most, const char* name,
                const Use& use) {
@@ -147,7 +147,7 @@ void forEachOf(const T* first, std::size_t count, std::size_t most, const char* 
   }
 }
 
-/// More than any mesh has, so a mistake that is seen before the array is read.
+/// More than any mesh has. A larger count is a mistake, which is noticed before the array is read.
 constexpr std::size_t mostVectors = INT32_MAX;
 
 /// Vectors of an array of floats with a stride in bytes; 0: packed.
@@ -169,7 +169,7 @@ std::vector<Vector> vectorsOf(const float* values, std::size_t count, std::size_
   return vectors;
 }
 
-/// One value of a vertex after the other, into room for `count` vertices, or triangles.
+/// Writes the values of `count` vertices or triangles one after the other.
 template <typename Vector>
 void give(const std::vector<Vector>& vectors, typename Vector::value_type* to, std::size_t count,
           const char* name) {
@@ -183,14 +183,14 @@ void give(const std::vector<Vector>& vectors, typename Vector::value_type* to, s
 
 }  // namespace opaline::c
 
-/// What handles of scenes stand for.
+/// What a handle of a scene points to.
 struct OpalineScene : opaline::c::Handle<OpalineScene> {
   opaline::Scene scene;
 };
 
 namespace opaline::c {
 
-/// One of the things that a scene, or what `has` says, has several of.
+/// Element `index` of a list. `has` begins the message about how many there are.
 template <typename List>
 auto& oneOf(List& list, std::size_t index, const char* name, const char* has = "the scene has") {
   if (index >= list.size())
@@ -203,7 +203,7 @@ auto& objectOf(AScene* scene, std::size_t index) {
   return oneOf(required(scene, "scene").scene.objects, index, "object");
 }
 
-/// A scene that the caller will destroy.
+/// Gives the caller the handle of a scene, which the caller will destroy.
 void giveScene(Scene scene, OpalineScene** to);
 
 }  // namespace opaline::c

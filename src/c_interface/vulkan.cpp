@@ -1,5 +1,5 @@
 #include <vulkan/vulkan.h>
-// Declares more of the interface after Vulkan.
+// Included first: with Vulkan's header the C interface declares more.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ inline constexpr std::size_t firstSize<OpalineDeviceFrame> = 96;
 
 namespace {
 
-// More than any frame has, so a mistake that is seen before the array is read.
+// More than any frame has. A larger count is a mistake, which is noticed before the array is read.
 constexpr std::size_t mostParts = 65536;
 
 std::vector<TimelinePoint> pointsOf(const OpalineTimelinePoint* points, std::size_t count,
@@ -37,7 +37,7 @@ DeviceTarget targetOf(const OpalineDeviceTarget* given, const char* name) {
           static_cast<VkSampleCountFlagBits>(std::max(whole.samples, 1U))};
 }
 
-// A frame as it was given, with what its parts point to.
+// A frame as it was given, with copies of what it points to.
 class DeviceFrame {
  public:
   explicit DeviceFrame(const OpalineDeviceFrame* given) : given_(wholeOf(given, {}, "frame")) {

@@ -36,7 +36,7 @@ Matrix inverse(const Matrix& m) {
   return result;
 }
 
-/// X, Y and Z of luminance 1 at a chromaticity.
+/// X, Y and Z of a chromaticity at luminance 1.
 Triple xyzAt(double x, double y) {
   return {x / y, 1, (1 - x - y) / y};
 }
@@ -61,7 +61,7 @@ Matrix makeRelativeXyzFromRgb() {
 const Matrix relativeXyzFromRgb = makeRelativeXyzFromRgb();
 const Matrix rgbFromRelativeXyz = inverse(relativeXyzFromRgb);
 
-// CIE 15:2004, 8.2.1: a cube root that is a line near zero.
+// CIE 15:2004, 8.2.1: a cube root, replaced by a line near zero.
 constexpr double knee = 6.0 / 29;
 
 double compressed(double t) {

@@ -13,7 +13,7 @@ namespace opaline::compare {
 namespace {
 
 /// A curve through CIE L*a*b* that stays inside sRGB: lightness and hue rise evenly, chroma is
-/// greatest near the middle. Its own parameter, in [0,1], does not run at even speed.
+/// greatest near the middle. Its parameter, in [0,1], is not proportional to its length.
 Triple curve(double s) {
   constexpr double darkest = 10;
   constexpr double lightest = 92;
@@ -30,7 +30,7 @@ Triple curve(double s) {
 
 constexpr std::size_t pieces = 1024;
 
-/// Length of the curve, as CIE 1976 color differences, up to each end of a piece.
+/// Length of the curve, in CIE 1976 color differences, up to the end of each piece.
 using Lengths = std::array<double, pieces + 1>;
 
 Lengths measure() {

@@ -45,7 +45,7 @@ struct Sums {
   double meanSquare() const { return squares / static_cast<double>(count); }
 };
 
-/// Reorders the values, of which there is at least one.
+/// Requires at least one value, and reorders the values.
 double percentile(std::vector<float>& values, double share) {
   const double rank = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::ptrdiff_t>(rank);
@@ -97,7 +97,7 @@ struct Blocks {
     return pixel / width / edge * across + pixel % width / edge;
   }
 
-  /// Of A's means over B's, in one channel.
+  /// A's block means minus B's, in one channel.
   std::vector<double> differences(const Image& a, const Image& b, const Selection& selection,
                                   std::size_t channel) const {
     const double pixels = static_cast<double>(edge) * static_cast<double>(edge);
@@ -114,14 +114,14 @@ struct Blocks {
   std::size_t count;
 };
 
-/// |B| over all channels.
+/// The mean of |B| over all channels.
 double meanMagnitude(const Image& b, const Selection& selection) {
   double mean = 0;
   for (std::size_t c = 0; c < channels; ++c) mean += meanMagnitude(b, selection, c) / channels;
   return mean;
 }
 
-/// Finite for what paints it.
+/// The relative error, kept finite so that it can be drawn.
 float paintable(double error, double mean) {
   return static_cast<float>(std::min(ratio(error, mean), 1e30));
 }

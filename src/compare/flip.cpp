@@ -52,10 +52,10 @@ Kernel scaled(Kernel kernel, double factor) {
   return kernel;
 }
 
-/// One Gaussian of a sensitivity: as exp(-π² (x²+y²)/b) is a product, so is the filter.
+/// One Gaussian of a sensitivity. exp(-π² (x²+y²)/b) is a product, so the filter is separable.
 struct SensitivityKernel {
   Kernel kernel;  ///< sums to 1
-  double weight;  ///< of the Gaussian in its sensitivity, before they are made to sum to 1
+  double weight;  ///< of the Gaussian in its sensitivity, before weights are normalised to sum to 1
 };
 
 SensitivityKernel sensitivityKernel(const Gaussian& gaussian, double pixelsPerDegree) {
@@ -150,7 +150,7 @@ double colorDistance(const Triple& a, const Triple& b) {
   return std::pow(distance, qc);
 }
 
-/// Filtered colors, back from YCxCz by way of the cube of what a screen shows.
+/// Filtered colors, converted back from YCxCz and clamped to the cube that a screen can show.
 Triple shown(const std::array<Plane, 3>& ycxcz, std::size_t pixel) {
   const double y = (static_cast<double>(ycxcz[0].values[pixel]) + 16) / 116;
   Triple rgb = linearRgbFromRelativeXyz({y + static_cast<double>(ycxcz[1].values[pixel]) / 500, y,
@@ -159,7 +159,7 @@ Triple shown(const std::array<Plane, 3>& ycxcz, std::size_t pixel) {
   return rgb;
 }
 
-/// Section 4.1.3: distances up to p_c of the largest take p_t of the range.
+/// Section 4.1.3: distances up to p_c times the largest are mapped to p_t of the range.
 double redistributed(double distance) {
   static const double largest =
       colorDistance(huntAdjustedLab({0, 1, 0}), huntAdjustedLab({0, 0, 1}));

@@ -46,7 +46,7 @@ Layout layOut(int mapWidth, int mapHeight) {
   return layout;
 }
 
-/// 1, 2 or 5 times a power of ten is five, four or five steps high.
+/// Steps of a scale: five, four and five for 1, 2 and 5 times a power of ten.
 int stepsTo(double top) {
   const double leading = top / std::pow(10, std::floor(std::log10(top * (1 + 1e-9))));
   return leading > 1.5 && leading < 3 ? 4 : 5;

@@ -103,7 +103,7 @@ bool mirrorsAt(const Rig& rig, const Pose& pose) {
   return mirrors(matrices);
 }
 
-/// -1 where the pose mirrors what the rest pose does not, or the other way round.
+/// -1 if exactly one of the pose and the rest pose mirrors the object, else 1.
 double sideOf(const Scene& scene, const Object& object, const Pose& pose) {
   if (!object.rig) return 1;
   return mirrorsAt(*object.rig, pose) == mirrorsAt(*object.rig, scene::makePose(scene)) ? 1 : -1;

@@ -17,10 +17,10 @@ using scene::operator+;
 using scene::operator-;
 using scene::cross;
 
-/// The flattest that a squash makes anything, whatever its amount swings to.
+/// The least height that a squash leaves, relative to the rest pose, whatever its amount swings to.
 constexpr double leastHeight = 0.1;
 
-/// What the formulas of opaline/motion.h name.
+/// Quantities of the formulas in opaline/motion.h.
 struct RestBox {
   Double3 centre;
   double bottom;    ///< y₀
@@ -34,7 +34,7 @@ struct RestBox {
         diagonal(scene::length(scene::toDouble(bounds.maxMm) - scene::toDouble(bounds.minMm))) {}
 };
 
-/// Where a point goes, in column 3, and in the others what becomes of steps along the axes.
+/// A point's new place in column 3, and in the others the images of steps along the axes.
 using Moved = Matrix4;
 
 /// The fraction of t/period, in [0, 1).
@@ -63,7 +63,7 @@ Moved bent(double amount, const RestBox& box, const Double3& p) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   const double half = std::sin(angle / 2);
-  // (1 − cos κs)/κ and sin κs/κ; without a curvature the arc is the axis itself.
+  // (1 − cos κs)/κ and sin κs/κ; without curvature the arc is the axis itself.
   const double aside = angle == 0 ? 0 : along * 2 * half * half / angle;
   const double up = angle == 0 ? along : along * s / angle;
   const double stretch = 1 - curvature * x;

@@ -8,7 +8,8 @@ std::vector<std::vector<Vec3>> positionsAt(const Scene& scene, const SceneTime& 
                                            const PositionsByObject& given) {
   deform::requireTime(scene, time);
   deform::requireFit(scene, given);
-  const Bounds box = scene.deformers.empty() ? Bounds{} : boundsOf(scene);  // they alone ask for it
+  // Only deformers need it.
+  const Bounds box = scene.deformers.empty() ? Bounds{} : boundsOf(scene);
   scene::Pose pose = scene::makePose(scene);
   scene::poseAt(scene, time.clip, time.seconds, pose);
   std::vector<std::vector<Vec3>> all(scene.objects.size());

@@ -41,7 +41,7 @@ bool Allowed::holds(const Value& value) const {
                           (counts.empty() ||
                            std::find(counts.begin(), counts.end(), number) != counts.end());
                  },
-                 // A limit that float rounds is the limit.
+                 // A float that a limit rounds to counts as the limit.
                  [&](float number) {
                    return range.holds(static_cast<double>(number)) ||
                           (number == static_cast<float>(range.least) && !range.aboveLeast) ||

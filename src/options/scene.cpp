@@ -228,7 +228,7 @@ Range rangeOfAmount(const Deformer& deformer) {
     case DeformerKind::Bend:
       return {-6.28, 6.28, "radians"};
     case DeformerKind::Squash:
-      // Swinging it takes both signs, and what is squashed by 1 has no height.
+      // A swinging amount takes both signs, and a squash by 1 would leave no height.
       return {deformer.periodSeconds == 0 ? -3 : -0.9, 0.9};
     case DeformerKind::Wobble:
       break;
@@ -389,7 +389,7 @@ std::string complaintAbout(const AreaLight& light) {
 }
 
 std::size_t shadowMapsOf(const SpotLight& light) {
-  constexpr float widestView = 50;  // degrees; of wider ones the rim has few texels
+  constexpr float widestView = 50;  // degrees; the rim of wider ones would get few texels
   return light.outerDegrees <= widestView ? 1 : mapsOfCube;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t noNumber = std::numeric_limits<std::uint32_t>::max();
 
-// Numbers corners as cubes come to need them.
+// Numbers corners in the order in which cubes first need them.
 class Corners {
  public:
   explicit Corners(const Voxels& voxels)

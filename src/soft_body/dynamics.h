@@ -15,14 +15,14 @@ struct Dynamics {
   double compliance = 0;      ///< as shared::SoftStep has it
   double anchor = 0;          ///< (ω h)² of the pull to rest
   double grip = 0;            ///< (ω h)² of the hold
-  double follow = 0;          ///< part of its way that the hold goes to where it is pulled
-  double damping = 1;         ///< what is left of a velocity
+  double follow = 0;          ///< part of the way to its goal that the hold moves
+  double damping = 1;         ///< factor of velocities
 };
 
-/// A body as stiff as a column of its height must be to sway in shear at that frequency, and a
-/// swing that falls to a twentieth in that time. The substep is the longest at which one iteration
-/// has the forces of cells inside the body exact; at the surface, where there is less mass, a
-/// cell's volume is softer.
+/// Constants of a body whose stiffness lets a column of its height sway in shear at `swingHz`, and
+/// whose swing decays to a twentieth in `settleSeconds`. The substep is the longest for which one
+/// iteration computes the forces of cells inside the body exactly. At the surface, where there is
+/// less mass, a cell's volume is softer.
 Dynamics makeDynamics(const Cage& cage, double swingHz, double settleSeconds);
 
 }  // namespace opaline::soft_body

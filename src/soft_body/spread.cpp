@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
 
-// Which node lies at a place of the grid.
+// Finds the node at a place of the grid.
 class Lookup {
  public:
   explicit Lookup(const Cage& cage)
@@ -43,11 +43,11 @@ class Lookup {
 
 struct Neighbour {
   std::uint32_t node;
-  Eigen::Vector4d basis;  // 1 and the way to it
+  Eigen::Vector4d basis;  // 1 and the offset to it
   double weight;
 };
 
-// Nodes at most two cells away along each axis; none where none touches the place's own cells.
+// Nodes at most two cells away along each axis; none if no node touches the cells around the place.
 std::vector<Neighbour> neighboursOf(const Lookup& lookup, int x, int y, int z) {
   std::vector<Neighbour> all;
   bool touches = false;
@@ -67,7 +67,7 @@ std::vector<Neighbour> neighboursOf(const Lookup& lookup, int x, int y, int z) {
 
 void carryOn(const std::vector<Neighbour>& neighbours, std::vector<SpreadPart>& parts) {
   if (neighbours.empty()) return;
-  // Where the nodes lie in a plane nothing is known of the slope across it: then there is none.
+  // Nodes in a plane do not determine the slope across it, which then becomes 0.
   constexpr double leastSlope = 1e-3;
   double sum = 0;
   Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();

@@ -48,8 +48,8 @@ Box boxOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles
   return box;
 }
 
-// As many cubes as the box needs, a little larger than it on its longest side, so that no point
-// lies on their border.
+// As many cubes as the box needs. They are a little larger than its longest side demands, so that
+// no point lies on their border.
 Voxels emptyVoxels(const Box& box, std::uint32_t cells) {
   const double longest = std::max({box.extent(0), box.extent(1), box.extent(2)});
   if (!(longest > 0))
@@ -77,7 +77,8 @@ void fillAt(const Point& p, Voxels& voxels) {
   voxels.filled[voxels.index(cell[0], cell[1], cell[2])] = true;
 }
 
-// Points on the triangle so near to each other that none of its cubes is missed but for a tip.
+// Marks the cubes of points on the triangle. The points are so dense that at most the tip of a
+// triangle in a cube is missed.
 void fillTriangle(const Point& a, const Point& b, const Point& c, Voxels& voxels) {
   constexpr double spacing = 0.3;  // cells
   double longest = 0;
@@ -96,9 +97,9 @@ void fillTriangle(const Point& a, const Point& b, const Point& c, Voxels& voxels
     }
 }
 
-// What cannot be reached from outside through empty cubes is inside.
+// Cubes that cannot be reached from outside through empty cubes are inside.
 void fillInside(Voxels& voxels) {
-  // With a layer of cubes around all.
+  // The search uses a layer of empty cubes around all others.
   const std::array<std::uint32_t, 3> wide{voxels.counts[0] + 2, voxels.counts[1] + 2,
                                           voxels.counts[2] + 2};
   const std::array<std::size_t, 3> strides{1, wide[0], std::size_t{wide[0]} * wide[1]};

@@ -7,7 +7,7 @@
 
 namespace opaline::surfels {
 
-/// Around places, along the axes, mm; of nothing at first.
+/// An axis-aligned box around places, mm; empty at first.
 struct Box {
   Vector low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
              std::numeric_limits<double>::infinity()};
@@ -25,7 +25,7 @@ struct Box {
     include(box.high);
   }
 
-  /// Whether they have any place in common.
+  /// Whether the boxes have a place in common.
   bool meets(const Box& other) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!(low[axis] <= other.high[axis] && other.low[axis] <= high[axis])) return false;

@@ -14,11 +14,11 @@ namespace opaline::surfels {
 
 namespace {
 
-// Clusters of an object whose parts are all thick.
+// The number of clusters of an object whose parts are all thick.
 constexpr double usualClusters = 3000;
 
-// Thinner parts than this share of the usual edge are not followed further: their two sides are one
-// place to light that leaves.
+// Clusters do not become smaller for parts thinner than this share of the usual edge: light that
+// leaves does not tell their two sides apart.
 constexpr double leastPart = 0.25;
 
 // Cosine to a node's mean normal below which a surfel lies on the other side of the body, and the
@@ -26,27 +26,28 @@ constexpr double leastPart = 0.25;
 constexpr double otherSide = -0.3;
 constexpr double leastOfOtherSide = 0.01;
 
-// How far apart two sides are that are not one place, as a rim is, in edges of the node.
+// From this distance on, in edges of the node, two sides do not count as one place as the sides of
+// a rim do.
 constexpr double apartInEdges = 1.5;
 
-// Where the budget does not suffice, nodes count as that power of their edge over the thickness
-// larger than they are. With 1, bear and bunny have a quarter more error with 64 clusters; with 0,
-// up to 1.6 times as much with 128 to 512.
+// If the budget does not suffice, nodes count as larger by this power of the ratio of their edge to
+// the thickness. With 1, bear and bunny have a quarter more error with 64 clusters; with 0, up to
+// 1.6 times as much error with 128 to 512.
 constexpr double thinPower = 0.75;
 
-// Edge of a cluster over that of a triangle, where two that make a square are one cluster.
+// Ratio of a cluster's edge to a triangle's where two triangles that form a square are one cluster.
 constexpr double edgeOverTriangle = 1.5;
 
 // Edges of an object's clusters, mm.
 struct Edges {
   double usual = 0;
   double largest = 0;
-  std::size_t sides = 1;  // that have clusters
+  std::size_t sides = 1;  // that have clusters of their own
 
   bool areAsItsTriangles() const { return largest == asItsTriangles; }
 };
 
-// In the rest pose.
+// A surfel's shape in the rest pose.
 struct SurfelShape {
   double areaMm2 = 0;
   Vector vectorAreaMm2{};
@@ -61,25 +62,28 @@ struct Below {
   double areaMm2 = 0;
   // Means over the area.
   double wantedMm = 0;       // edge of a cluster
-  double ofShapeMm = 0;      // the same as the shape alone asks for, without the medium
+  double ofShapeMm = 0;      // the same, as the shape alone demands it, without the medium
   double thinnessPerMm = 0;  // 1 over the thickness
 
   double edgeMm() const { return std::sqrt(areaMm2); }
   bool isTooLarge() const { return edgeMm() > wantedMm; }
 };
 
-// Where the budget is spent among equals, those that were divided lie evenly between the others:
-// one half of a plate finer than the other is seen. Nodes follow each other as they lie, so steps
-// of the golden ratio do that (Knuth 1973, 6.4). No two nodes have the same.
+// If the budget suffices only for some of many equal nodes, those that are divided have to lie
+// evenly between the others: a plate with one half finer than the other would be visible. Nodes are
+// numbered in spatial order, so steps of the golden ratio achieve that (Knuth 1973, 6.4). No two
+// nodes have the same number.
 std::uint32_t evenOrder(std::uint32_t node) {
   return node * 2654435769U;
 }
 
-// How much a node that is too large for a cluster needs to be divided; the last is needed most.
-// Shape comes first: two sides in one cluster cost far more than many mean free paths.
+// How urgently a node that is too large for a cluster needs to be divided; the largest is the most
+// urgent. Shape comes first: two sides in one cluster cause far more error than a size of many mean
+// free paths.
 struct Need {
   bool forShape = false;
-  int excess = 0;  ///< of the edge, in halves of a power of 2: one division takes one off
+  int excess = 0;  ///< of the edge, as twice its binary logarithm, which one division reduces by
+                   ///< one
   std::uint32_t node = 0;
 
   bool operator<(const Need& other) const {
@@ -102,8 +106,8 @@ class Divider {
       if (below.edgeMm() <= edges_[below.object].usual && isOfBothSides(below)) divide(below);
   }
 
-  // Opens nodes, those that need it most first, until none is too large for a cluster or there
-  // would be more than `maxClusters`. Returns how many there are.
+  // Opens nodes, the most urgent first, until none is too large for a cluster or there would be
+  // more than `maxClusters`. Returns the number of clusters.
   std::size_t open(std::size_t maxClusters) {
     opened_.assign(below_.size(), false);
     std::size_t clusters = 0;
@@ -127,7 +131,7 @@ class Divider {
     return clusters;
   }
 
-  // What is not opened.
+  // Makes clusters of the nodes that are not opened.
   ClusterDivision collect() {
     made_ = {};
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
@@ -182,7 +186,7 @@ class Divider {
     return shape;
   }
 
-  // Whether some of it faces away from the rest, and lies far from it.
+  // Whether a part of the node faces away from the rest and lies far from it.
   bool isOfBothSides(const Below& below) const {
     Vector mean{};
     for (std::uint32_t i = below.firstSurfel; i < below.endSurfel; ++i)
@@ -203,7 +207,7 @@ class Divider {
     return dot(apart, apart) > apartInEdges * apartInEdges * below.areaMm2;
   }
 
-  // As if it were as thin as is followed, so that it becomes clusters of one side each.
+  // Treats the node as the thinnest that is followed, so that its clusters have one side each.
   void divide(Below& below) const {
     const double least = leastPart * edges_[below.object].usual;
     below.wantedMm = std::min(below.wantedMm, least);
@@ -222,7 +226,7 @@ class Divider {
       visit(child);
   }
 
-  // Of its surfels and, where it has a lining, of that.
+  // Visits the root of an object's surfels and, if it has a lining, that of the lining.
   template <typename Visit>
   void forEachRoot(std::size_t object, const Visit& visit) const {
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
@@ -231,7 +235,7 @@ class Divider {
       visit(root);
   }
 
-  // Returns the node after all that are below it.
+  // Returns the node after all those below it.
   std::uint32_t sum(std::uint32_t node, std::uint32_t object) {
     const NodeLink link = linkOf(surfels_.tree, node);
     const Edges& edges = edges_[object];
@@ -286,7 +290,7 @@ class Divider {
     return need(true, edge / edges.usual * std::pow(thin, thinPower));
   }
 
-  // One below the other, under a root of their own.
+  // Adds the trees of both sides one after the other, under a root of their own.
   void addBothSides(std::uint32_t root) {
     const std::uint32_t made = nodeCount();
     made_.tree.links.push_back(0);
@@ -295,7 +299,7 @@ class Divider {
     made_.tree.links[made] = Tree::setBit | nodeCount();
   }
 
-  // The node or, where that is opened, what is below it.
+  // Adds the node or, if it is opened, what is below it.
   void add(std::uint32_t node, bool isBack) {
     const std::uint32_t made = nodeCount();
     made_.tree.links.push_back(0);

@@ -15,15 +15,14 @@ namespace opaline::surfels {
 
 namespace {
 
-// How far something has to reach into a body, in diagonals of that: what stands upon another, or is
-// as large as a hole made for it, does not touch it.
+// How far a solid has to reach into a body, in diagonals of the body. A solid that stands upon the
+// body, or exactly fills a hole made for it, does not count.
 constexpr double reachesIn = 1e-4;
 
-// Size of pieces over that of the body's usual clusters, a quarter of which is that of the
-// smallest.
+// Size of pieces relative to the body's usual clusters; the smallest clusters have this size, too.
 constexpr double pieceOverCluster = 0.25;
 
-// Beyond one for each triangle there are no more pieces than that, but larger ones.
+// The limit for pieces beyond one per triangle; beyond it pieces become larger.
 constexpr std::size_t mostMorePieces = 100'000;
 constexpr double coarserLinings = 1.5;
 
@@ -41,7 +40,7 @@ Box boxOf(const core::RestSurface& surface, std::span<const std::uint32_t> trian
   return box;
 }
 
-// One triangle's, turned round: second and third corner change places.
+// A piece, turned round: its second and third corner change places.
 Piece turned(const Piece& piece, std::uint32_t triangle) {
   Piece other = piece;
   other.triangle = triangle;
@@ -56,11 +55,11 @@ Triangle turned(const Triangle& triangle) {
 
 }  // namespace
 
-// What is left of finding them, for what covers a body's surface.
+// Results of the search that are kept for Linings::isCovered().
 struct Linings::Solids {
   std::map<std::uint32_t, WindingNumber> bodies;  // by their object
   std::map<std::uint32_t, WindingNumber> solids;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> solidsOfBody;  // that line it
+  std::map<std::uint32_t, std::vector<std::uint32_t>> solidsOfBody;  // those that line the body
 
   double reachMm(std::uint32_t body) const { return reachesIn * bodies.at(body).box().diagonal(); }
 };
@@ -72,7 +71,7 @@ class Linings::Finder {
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
       if (substances[t] != Substance::Other)
         of_[substances[t]][surface.objectOfTriangle[t]].push_back(t);
-    // Most scenes have nothing of the kind.
+    // Most scenes have no linings, so boxes are compared first.
     std::map<std::uint32_t, Box> boxes;
     for (const auto& [substance, objects] : of_)
       for (const auto& [object, triangles] : objects)
@@ -115,7 +114,7 @@ class Linings::Finder {
     return usualClusterMm(area);
   }
 
-  // False where that takes too many pieces.
+  // False if that takes too many pieces.
   bool line(double coarser, Linings& made) const {
     made.triangles_.clear();
     made.objectOfTriangle_.clear();
@@ -165,7 +164,8 @@ class Linings::Finder {
     return true;
   }
 
-  // Where the medium is on the one side and the body would go on on the other.
+  // Whether a place on a solid has the body's medium on one side, and the body would continue on
+  // the other.
   bool isLining(const Vector& place, const Vector& normal, std::uint32_t body,
                 std::uint32_t solid) const {
     const WindingNumber& inside = found_->bodies.at(body);

@@ -28,7 +28,7 @@ struct Part {
   std::array<Corner, 3> corners;
   double fraction = 1;
 
-  /// Of the edge opposite to each corner.
+  /// The squared length of the edge opposite each corner.
   std::array<double, 3> squaredEdges() const {
     return {squaredDistance(corners[1].place, corners[2].place),
             squaredDistance(corners[2].place, corners[0].place),
@@ -60,7 +60,7 @@ Piece pieceOf(std::uint32_t triangle, const Part& part) {
   return piece;
 }
 
-// The two halves to either side of the middle of the longest edge.
+// The two halves on either side of the middle of the longest edge.
 std::array<Part, 2> bisect(const Part& part, const std::array<double, 3>& squaredEdges) {
   const auto apex = static_cast<std::size_t>(
       std::max_element(squaredEdges.begin(), squaredEdges.end()) - squaredEdges.begin());

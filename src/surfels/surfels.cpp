@@ -12,7 +12,7 @@ namespace opaline::surfels {
 
 namespace {
 
-// How much coarser the largest pieces become from one try to the next that fits the budget.
+// By what factor the largest pieces become coarser from one try to fit the budget to the next.
 constexpr double coarserPieces = 1.1;
 
 struct Cut {
@@ -30,8 +30,9 @@ std::vector<double> largestTriangleOfObjectMm(const core::RestSurface& surface,
   return largest;
 }
 
-// The fewest pieces that each object may have at the spacing wanted. Pieces of a spacing h have at
-// most the area √3/2 h², that of an equilateral triangle, and bisecting halves a spacing at most.
+// A lower bound of the pieces that each object needs for the wanted spacing. Pieces of a spacing h
+// have at most the area √3/2 h², that of an equilateral triangle, and bisecting halves a spacing at
+// most.
 std::vector<double> leastPiecesOfObject(const core::RestSurface& surface,
                                         std::span<const double> wantedMm,
                                         std::span<const double> largestMm) {
@@ -45,8 +46,8 @@ std::vector<double> leastPiecesOfObject(const core::RestSurface& surface,
   return pieces;
 }
 
-// The largest share such that objects which take what they want, or one share where that is less,
-// take no more than the budget together.
+// The largest share that fits the budget if every object takes what it wants, but at most one
+// share.
 double fairShare(std::vector<double> wanted, double budget) {
   std::sort(wanted.begin(), wanted.end());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -57,8 +58,8 @@ double fairShare(std::vector<double> wanted, double budget) {
   return wanted.back();
 }
 
-// As fine as wanted, or as the budget allows: a large object takes nothing from a small one that
-// needs less than its share. The budget holds every triangle as one piece.
+// Cuts the surface as finely as wanted, or as the budget allows. A large object takes nothing from
+// a small one that needs less than its share. The budget is at least the number of triangles.
 Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std::size_t budget) {
   const std::vector<double> largestMm = largestTriangleOfObjectMm(surface, wantedMm.size());
   const std::vector<double> wanted = leastPiecesOfObject(surface, wantedMm, largestMm);
@@ -77,8 +78,8 @@ Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std:
   }
 }
 
-// The sides of parts thinner than what is joined, surfels or clusters, are further apart than such
-// a group is large.
+// Sets the items' facings so that the two sides of a thin part are further apart than a surfel or
+// cluster is large, and so are not joined.
 void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pieces,
                     std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
   double area = 0;
@@ -96,8 +97,8 @@ void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pie
   }
 }
 
-// The pieces of each object as the tree's items, filled up with empty ones to whole surfels; and
-// those of its lining apart, as the next list, where there are any linings.
+// The pieces of each object as items of the tree, filled up with empty ones to whole surfels. If
+// there are linings, each object's lining follows as a list of its own.
 std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surface,
                                                   std::vector<Piece>& pieces, std::size_t objects,
                                                   std::uint32_t piecesPerSurfel,
@@ -124,7 +125,7 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
   return items;
 }
 
-// Takes away what lies in the solids that line a body, but never all of an object.
+// Removes pieces inside the solids that line a body, but never all of an object.
 void uncover(const core::RestSurface& surface, const Linings& linings, std::size_t objects,
              std::vector<Piece>& pieces) {
   std::vector<bool> covered(pieces.size(), false);
@@ -145,7 +146,7 @@ void uncover(const core::RestSurface& surface, const Linings& linings, std::size
   pieces.resize(kept);
 }
 
-// In the order in which the surfels' triangles meet them.
+// All vertices in the order in which the surfels' triangles first use them.
 std::vector<std::uint32_t> orderVertices(const core::RestSurface& surface,
                                          std::span<const Piece> pieces) {
   std::vector<std::uint32_t> order;
@@ -162,7 +163,7 @@ std::vector<std::uint32_t> orderVertices(const core::RestSurface& surface,
   return order;
 }
 
-// Where surfels join triangles they are as large as the surface over their number.
+// Surfels that join triangles get the mean size: the surface divided by their number.
 void coarsenToMean(const core::RestSurface& surface, SurfelDivision& surfels) {
   std::vector<double> area(surfels.spacingOfObjectMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
@@ -174,7 +175,7 @@ void coarsenToMean(const core::RestSurface& surface, SurfelDivision& surfels) {
   }
 }
 
-// With every triangle one piece.
+// The number of surfels if every triangle is one piece.
 std::size_t leastSurfels(const core::RestSurface& surface, std::size_t objects,
                          std::uint32_t piecesPerSurfel) {
   std::vector<std::size_t> triangles(objects, 0);
@@ -192,7 +193,7 @@ core::RestSurface withoutLinings(const core::RestSurface& surface, const Linings
           surface.objectOfTriangle.first(first)};
 }
 
-// Of lists that follow each other, one an object, or where there are linings two: which are whose.
+// Assigns consecutive lists to their objects: one per object, or two if there are linings.
 void takeLists(std::span<const std::uint32_t> firstOfList, std::size_t objects,
                SurfelDivision& surfels) {
   const std::vector<std::uint32_t> roots = surfels.tree.rootOfObject;
@@ -225,7 +226,7 @@ SurfelDivision makeSurfels(const core::RestSurface& surface,
          surfels.piecesPerSurfel < surface.triangles.size() + lining) {
     surfels.piecesPerSurfel *= 2;
   }
-  // An object's last surfel may be a part of one, and so may its lining's: room for that is kept.
+  // The last surfel of an object and that of its lining may be incomplete; room for that is kept.
   const std::size_t partly = surfels.piecesPerSurfel == 1 ? 0 : lining > 0 ? 2 * objects : objects;
   const std::size_t full = maxSurfels - std::min(partly, maxSurfels);
   const std::size_t pieces = full * surfels.piecesPerSurfel;

@@ -11,28 +11,31 @@
 
 namespace opaline::surfels {
 
-/// A surface cut into surfels, the sources of scattered light, object after object. Only the rest
-/// pose decides how; nothing of it changes when the surface deforms.
+/// A surface cut into surfels, the sources of scattered light, object after object. It depends on
+/// the rest pose alone and does not change when the surface deforms.
 struct SurfelDivision {
-  /// Each surfel is so many pieces that follow each other: one, unless the mesh has more triangles
-  /// than there may be surfels. Pieces of fraction 0 fill the last surfel of an object.
+  /// Each surfel consists of that many consecutive pieces: one, unless the mesh has more triangles
+  /// than there may be surfels. Pieces of fraction 0 fill up the last surfel of an object.
   std::uint32_t piecesPerSurfel = 1;
   std::vector<Piece> pieces;
-  std::vector<std::uint32_t> firstOfObject;  ///< surfel; one more than there are objects
-  /// Surfel, behind the others of an object; where it has none, the first of the next object. The
-  /// node where their tree begins, beside that of the others, likewise.
+  std::vector<std::uint32_t> firstOfObject;  ///< first surfel; one more entry than there are
+                                             ///< objects
+  /// The first surfel of an object's lining, which follows its other surfels; without a lining, the
+  /// first of the next object. Likewise the root of the lining's tree, which follows that of the
+  /// others.
   std::vector<std::uint32_t> firstLiningOfObject;
   std::vector<std::uint32_t> liningRootOfObject;
-  std::vector<double> spacingOfObjectMm;  ///< that was reached; of linings, as these have it
+  std::vector<double> spacingOfObjectMm;  ///< that was reached, without linings, which have their
+                                          ///< own
   Tree tree;
   std::vector<std::uint32_t> vertexOrder;  ///< all vertices, neighbours in space together
 
   std::uint32_t count() const { return firstOfObject.back(); }
 };
 
-/// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
-/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly. Linings
-/// come as they are, with the surface that has them.
+/// Divides the surface as finely as wanted, by a spacing for each object, mm (spacingOfMm), or as
+/// `maxSurfels` allows. Objects that want the fewest surfels get all of them; the rest is shared
+/// evenly. The surface contains the linings, whose pieces are not divided further.
 SurfelDivision makeSurfels(const core::RestSurface& surface,
                            std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
                            const Linings& linings = {});

@@ -14,8 +14,8 @@ namespace opaline::surfels {
 
 namespace {
 
-// Nodes that a ray looks at; the models of bodies take up to 200. Where thousands of long thin
-// parts lie upon each other the boxes of all of them meet.
+// The most nodes that a ray visits; usual bodies take up to 200. Where thousands of long thin parts
+// lie upon each other, all of their boxes overlap.
 constexpr int mostNodesOfRay = 500;
 
 struct Ray {
@@ -24,7 +24,7 @@ struct Ray {
   std::uint32_t from;  // triangle that it leaves
 };
 
-// The rays' way through the tree of surfels.
+// Sends rays through the tree of surfels.
 class Tracer {
  public:
   Tracer(const core::RestSurface& surface, const SurfelDivision& surfels)
@@ -37,7 +37,7 @@ class Tracer {
     }
   }
 
-  // From the middle of a surfel's first piece, inwards.
+  // The thickness measured inwards from the middle of a surfel's first piece.
   double thicknessUnder(std::uint32_t surfel) {
     const Piece& piece = surfels_.pieces[std::size_t{surfel} * surfels_.piecesPerSurfel];
     const std::array<Vector, 3> corners = cornersOf(piece.triangle);
@@ -73,7 +73,8 @@ class Tracer {
     return std::span(surfels_.pieces).subspan(leaf.first * pieces, leaf.count * pieces);
   }
 
-  // A piece, not all of its triangle: of few large triangles every leaf's box would be the body's.
+  // Includes only the piece, not all of its triangle: with few large triangles, every leaf's box
+  // would be as large as the body's.
   void include(const Piece& piece, Box& box) const {
     const std::array<Vector, 3> corners = cornersOf(piece.triangle);
     for (const std::array<float, 2>& corner : piece.corners) {
@@ -86,7 +87,7 @@ class Tracer {
     }
   }
 
-  // Returns the node after all that are below it.
+  // Returns the node after all those below it.
   std::uint32_t enclose(std::uint32_t node) {
     const NodeLink link = linkOf(surfels_.tree, node);
     Box box;
@@ -103,7 +104,7 @@ class Tracer {
     return link.end;
   }
 
-  // Where the ray enters the box; nothing where it misses it.
+  // The distance at which the ray enters the box; nothing if it misses.
   static std::optional<double> entryOf(const Ray& ray, const Box& box) {
     double near = 0;
     double far = std::numeric_limits<double>::infinity();
@@ -112,7 +113,7 @@ class Tracer {
       double first = (box.low[axis] - ray.origin[axis]) * over;
       double second = (box.high[axis] - ray.origin[axis]) * over;
       if (first > second) std::swap(first, second);
-      if (first > near) near = first;  // keeps the other where this is no number
+      if (first > near) near = first;  // keeps the old value if the new one is NaN
       if (second < far) far = second;
     }
     return near <= far ? std::optional(near) : std::nullopt;
@@ -141,7 +142,7 @@ class Tracer {
     std::uint32_t node;
   };
 
-  // Of the children that the ray meets, the nearest last.
+  // Adds the children that the ray meets, the nearest last.
   void addChildren(const Ray& ray, std::uint32_t node, std::uint32_t end) {
     const auto first = static_cast<std::ptrdiff_t>(waiting_.size());
     for (std::uint32_t child = node; child < end;) {
@@ -154,8 +155,8 @@ class Tracer {
                      [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
   }
 
-  // What is near is looked at first, so what is found in the end is the nearest but where nodes
-  // beyond number meet the ray.
+  // Near nodes are visited first, so the result is the nearest surface unless too many nodes meet
+  // the ray.
   double nearest(const Ray& ray, std::uint32_t object) {
     double distance = std::numeric_limits<double>::infinity();
     waiting_.clear();

@@ -60,9 +60,9 @@ class TreeBuilder {
  private:
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(tree_.links.size()); }
 
-  // Those that lie low along an axis: half of all places. But facings are cut in the middle of
-  // their range, and places too where there is a gap: at the median the larger of two sides would
-  // keep some of the other.
+  // How many surfels go into the lower half along an axis. Places are cut at the median, but
+  // facings, and places with a gap, in the middle of their range: at the median the larger of two
+  // sides would keep a part of the other.
   std::size_t surfelsInFront(std::span<const TreeItem> items, std::size_t axis) const {
     const std::size_t surfels = items.size() / itemsPerSurfel_;
     if (surfels < 2 * leastSurfelsOfLeaf) return surfels / 2;
@@ -81,7 +81,7 @@ class TreeBuilder {
     return std::clamp(nearest, leastSurfelsOfLeaf, surfels - leastSurfelsOfLeaf);
   }
 
-  // Moves what lies low along the longest axis to the front, whole surfels.
+  // Moves the lower half along the longest axis to the front, in whole surfels.
   std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
     const std::size_t axis = longestAxis(items);
     const std::size_t front = surfelsInFront(items, axis) * itemsPerSurfel_;
@@ -116,7 +116,7 @@ class TreeBuilder {
     tree_.links[node] = Tree::setBit | nodeCount();
   }
 
-  // Makes neighbours of the items of every surfel of a leaf.
+  // Orders the items of a leaf so that each surfel's items are neighbours in space.
   void orderWithin(std::span<TreeItem> items) const {
     if (itemsPerSurfel_ == 1 || items.size() <= itemsPerSurfel_) return;
     for (const std::span<TreeItem> half : halve(items)) orderWithin(half);

@@ -11,39 +11,41 @@ namespace opaline::surfels {
 /// Most surfels that a leaf holds. A leaf holds at least two, unless its object has only one.
 constexpr std::uint32_t maxSurfelsOfLeaf = 4;
 
-/// How many objects' surfels hang together, in an array of nodes in depth-first order: the first
-/// child of an inner node follows it. It is made from the rest pose, and kept when that deforms.
+/// A tree of the surfels of each object, as an array of nodes in depth-first order: the first child
+/// of an inner node follows it. It is made from the rest pose and kept when the surface deforms.
 struct Tree {
   static constexpr std::uint32_t leafBit = 1U << 31U;
-  static constexpr std::uint32_t setBit = 1U << 29U;  ///< in all, which makes them normal floats
+  static constexpr std::uint32_t setBit = 1U << 29U;  ///< set in all links, so that they are normal
+                                                      ///< floats
   static constexpr std::uint32_t countShift = 26;
 
-  /// One a node. A leaf: leafBit, number of surfels - 1 from bit countShift, first surfel below. An
-  /// inner node, which has two to four children: the node after the last of all below it.
+  /// One per node. A leaf has leafBit, the number of its surfels - 1 from bit countShift on, and
+  /// its first surfel below that. An inner node, which has two to four children, has the node after
+  /// the last of all those below it.
   std::vector<std::uint32_t> links;
-  std::vector<std::uint32_t> rootOfObject;  ///< one more than there are objects
+  std::vector<std::uint32_t> rootOfObject;  ///< one more entry than there are objects
 };
 
 /// A node's link taken apart.
 struct NodeLink {
   bool leaf = false;
-  std::uint32_t first = 0;  ///< surfel of a leaf
+  std::uint32_t first = 0;  ///< first surfel of a leaf
   std::uint32_t count = 0;  ///< of a leaf's surfels
-  std::uint32_t end = 0;    ///< the node after all that are below
+  std::uint32_t end = 0;    ///< the node after all those below it
 };
 NodeLink linkOf(const Tree& tree, std::uint32_t node);
 
-/// What is to be ordered: a place and what it belongs to.
+/// An item to be ordered: a place and what it belongs to.
 struct TreeItem {
   Vec3 placeMm{};
   std::uint32_t index = 0;
-  Vec3 facingMm{};  ///< normal, to be told apart like places; 0 where that is not wanted
+  Vec3 facingMm{};  ///< normal, which separates items as places do; 0: does not
 };
 
-/// Orders the items of each object so that any few neighbours in the order are neighbours in space,
-/// every `itemsPerSurfel` of them one surfel, and makes their tree: halves along the longest axis
-/// of places and facings, those at the median but in gaps, these in the middle, so that
-/// sides come apart as a whole. Every object's number of items is a multiple of
+/// Orders the items of each object so that neighbours in the order are neighbours in space and
+/// every `itemsPerSurfel` of them are one surfel, and makes their tree. It halves items along the
+/// longest axis of places and facings: places at the median or in a gap, facings in the middle, so
+/// that the two sides are separated as a whole. Every object's number of items is a multiple of
 /// itemsPerSurfel.
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel);
 

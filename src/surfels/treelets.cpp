@@ -42,7 +42,8 @@ class TreeletBuilder {
 
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(tree_.links.size()); }
 
-  // How many inner nodes of each subtree are left. Below a node that is placed none is.
+  // Counts the inner nodes of each subtree that are not placed yet. Below a placed node there are
+  // none.
   void countLeft() {
     for (std::uint32_t node = nodeCount(); node-- > 0;) {
       if (left_[node] == isPlaced) continue;
@@ -72,7 +73,7 @@ class TreeletBuilder {
     made_.firstOfStage.push_back(static_cast<std::uint32_t>(made_.levelOfTreelet.size()));
   }
 
-  // Empties the list.
+  // Adds the nodes as a treelet and empties the list.
   void addTreelet(std::vector<std::uint32_t>& nodes) {
     std::stable_sort(nodes.begin(), nodes.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return height_[a] < height_[b]; });

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t trianglesOfLeaf = 8;
 
-// A node is taken as one from further than so many of its radii.
+// Beyond this many of its radii, a node is taken as a whole.
 constexpr double farInRadii = 4;
 
-// Van Oosterom and Strackee 1983; above 0 from within.
+// Van Oosterom and Strackee 1983; positive from inside.
 double solidAngle(const std::array<Vector, 3>& corners, const Vector& from) {
   const Vector a = difference(corners[0], from);
   const Vector b = difference(corners[1], from);

@@ -10,19 +10,19 @@
 
 namespace opaline::surfels {
 
-/// How often a closed surface goes round a place: 1 inside and 0 outside, in between near holes. By
-/// the solid angles of its triangles, and from afar of the vector areas of many (Barill, Dickson,
+/// How often a surface winds round a place: 1 inside, 0 outside, and in between near holes. It sums
+/// the solid angles of triangles, or from afar uses the vector areas of many (Barill, Dickson,
 /// Schmidt, Levin, Jacobson 2018).
 class WindingNumber {
  public:
-  /// Of those triangles of the surface, which it copies.
+  /// For these triangles of the surface, which it copies.
   WindingNumber(const core::RestSurface& surface, std::span<const std::uint32_t> triangles);
 
-  /// Within .02 but on the surface itself, where it may be any number.
+  /// The error is at most .02, except on the surface itself, where the result may be any number.
   double at(const Vector& placeMm) const;
   bool isInside(const Vector& placeMm) const;
 
-  /// Around the triangles.
+  /// The box around the triangles.
   const Box& box() const { return box_; }
 
  private:
@@ -30,10 +30,10 @@ class WindingNumber {
   struct Node {
     Vector middleMm{};
     Vector vectorAreaMm2{};
-    double radiusMm = 0;  ///< nothing of it lies further from the middle
+    double radiusMm = 0;  ///< no part of the node is further from its middle
     std::uint32_t first = 0;
     std::uint32_t end = 0;   ///< triangles
-    std::uint32_t next = 0;  ///< the node after all that are below it
+    std::uint32_t next = 0;  ///< the node after all those below it
   };
 
   void add(std::uint32_t first, std::uint32_t end);
