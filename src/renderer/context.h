@@ -17,7 +17,8 @@
 
 namespace opaline {
 
-/// What a renderer, a view or a soft body consists of. One that was moved away has nothing.
+/// The implementation of a renderer, a view or a soft body. Throws UsageError for one that has been
+/// moved from.
 template <typename T>
 T& present(const std::unique_ptr<T>& part, std::string_view whole) {
   if (!part) throw UsageError(fmt::format("this {} has been moved into another", whole));
@@ -36,7 +37,7 @@ class RendererContext {
   std::optional<View> view;  ///< of Renderer::render
 };
 
-/// What a device says of itself.
+/// The description of a device.
 DeviceDescription describe(const gpu::DeviceInfo& info);
 
 }  // namespace opaline

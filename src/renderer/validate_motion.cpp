@@ -47,7 +47,7 @@ std::size_t partsOfKey(const Track& track) {
   return track.interpolation == Interpolation::CubicSpline ? 3 : 1;
 }
 
-// A track of weights has as many as it says.
+// How many values a part of a key has. For weights it follows from the track's own sizes.
 std::size_t valuesOfPart(const Track& track) {
   if (track.target == TrackTarget::Rotation) return 4;
   if (track.target != TrackTarget::MorphWeights) return 3;
@@ -125,7 +125,7 @@ void validateChanges(const Scene& scene, const ClipChanges& changes) {
   const auto validate = [&](const auto& all, std::size_t count, std::string_view what) {
     for (const auto& keys : all) validateKeys(scene, keys, count, what);
   };
-  // Lights may have been replaced by fewer since.
+  // Any index is allowed, since fewer lights may have replaced those of the clip.
   constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
   validate(changes.directional, any, "directional light");
   validate(changes.points, any, "point light");

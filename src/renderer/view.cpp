@@ -77,7 +77,7 @@ shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& came
   return frame;
 }
 
-// Whether numbers of the shaders' size hold it.
+// Whether the camera's numbers fit into floats.
 bool fitsFloats(const CameraView& view) {
   const auto areFinite = [](const auto& of) {
     const float* const first = glm::value_ptr(of);
@@ -90,7 +90,7 @@ bool fitsFloats(const CameraView& view) {
          glm::length(glm::vec3(rows[0])) > least && glm::length(glm::vec3(rows[1])) > least;
 }
 
-// Points on timelines as the device takes them.
+// Converts points on timelines to the device's form.
 class PointsOf {
  public:
   PointsOf(std::span<const TimelinePoint> given, const char* name) : count_(given.size()) {
@@ -250,7 +250,7 @@ class View::Implementation {
     return plan;
   }
 
-  // A frame, which `hand` hands on.
+  // Makes a frame, which `hand` submits or records.
   template <typename Hand>
   void make(const FrameOrder& order, const DeviceOutputs& outputs, const Hand& hand) {
     FramePlan plan = planOf(order, outputs);
@@ -298,7 +298,7 @@ class View::Implementation {
     }
   }
 
-  // What was noted as made or lit may not have been: the next frame makes all of it.
+  // After a failure, what was noted as made or lit may not be: the next frame remakes everything.
   void startAnew() {
     queue_.abandon();
     context_.edited.motion().abandon();
@@ -349,15 +349,15 @@ class View::Implementation {
   RendererContext& context_;
   RenderOptions options_;
   std::optional<Camera> camera_;            // none: the scene's
-  std::optional<CameraMatrices> matrices_;  // instead of a camera
+  std::optional<CameraMatrices> matrices_;  // take the place of a camera
   FrameQueue queue_;
   gpu::UploadRing frameData_;
   OutputRecorder outputs_;
-  std::shared_ptr<PreparedScene> prepared_;  // none before the first frame
+  std::shared_ptr<PreparedScene> prepared_;  // null before the first frame
   ViewResources resources_;
-  bool exitanceShown_ = false;  // the last frame's exitance was left for others to read
-  bool shown_ = false;          // the last frame's picture was left for others to sample
-  std::bitset<variablesOfCentres> shownAovs_;  // the same of other variables
+  bool exitanceShown_ = false;                 // the last frame left its exitance on the device
+  bool shown_ = false;                         // the last frame left its picture on the device
+  std::bitset<variablesOfCentres> shownAovs_;  // the same for other variables
   std::uint64_t scene_ = 0;                    // number of the scene that was rendered last
   FramePlan plan_;                             // of the frame submitted last
   FrameTimes times_;

@@ -21,15 +21,15 @@ struct CameraView {
   bool operator==(const CameraView&) const = default;
 };
 
-/// With a near plane of 1 mm; passes::FitPass moves it. In place of the depth of an orthographic
-/// camera, worldToClip has how far along its axis it stands.
+/// With a near plane of 1 mm; passes::FitPass moves it. For an orthographic camera, worldToClip has
+/// the place of the camera along its axis instead of depth.
 CameraView makeCameraView(const Camera& camera, float aspect);
 
 /// Offsets of the antialiasing samples from the pixel's centre, in pixels: the standard patterns of
 /// Direct3D for 1, 2, 4 and 8 samples.
 std::span<const glm::vec2> samplePattern(int samples);
 
-/// For 0 samples, as for one.
+/// Sets the frame's sample pattern; 0 samples count as one.
 void fillSamples(int samples, shared::FrameData& frame);
 
 }  // namespace opaline

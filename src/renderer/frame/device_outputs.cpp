@@ -79,7 +79,7 @@ ExitanceRange exitanceRange(const std::vector<ObjectRange>& ranges, std::size_t 
 void OutputRecorder::record(gpu::CommandList& commands, const FrameOrder& order,
                             const DeviceOutputs& outputs, const Inputs& inputs) {
   if (order.aovsOnDevice.empty() && outputs.over == nullptr && outputs.exitances.empty()) return;
-  commands.cut();  // what is given may be another in every frame
+  commands.cut();  // the caller's objects may be others in every frame
   for (const Aov aov : order.aovsOnDevice) leave(commands, aov, inputs);
   for (const DeviceExitance& exitance : outputs.exitances) {
     const ExitanceRange range = exitanceRange(inputs.ranges, exitance.object);

@@ -18,14 +18,14 @@ namespace opaline {
 void validate(const DeviceOutputs& outputs, const RenderOptions& options, bool hasMatrices);
 
 /// Where an object's exitance lies in a buffer of all objects. Throws UsageError for an object that
-/// there is not.
+/// does not exist.
 struct ExitanceRange {
   std::size_t offset = 0;
   std::size_t bytes = 0;
 };
 ExitanceRange exitanceRange(const std::vector<ObjectRange>& ranges, std::size_t object);
 
-/// What a view's frames leave for the caller on the device, or in memory of the caller's.
+/// Records the outputs that a view's frames leave on the device, or in the caller's memory.
 class OutputRecorder {
  public:
   explicit OutputRecorder(gpu::Device& device)
@@ -39,7 +39,7 @@ class OutputRecorder {
     const CameraView& camera;
     const Vec3& originMm;  ///< that the scene has been moved to
   };
-  /// In a part of its own at the end of a frame.
+  /// Records them in a part of its own at the end of a frame.
   void record(gpu::CommandList& commands, const FrameOrder& order, const DeviceOutputs& outputs,
               const Inputs& inputs);
 

@@ -40,7 +40,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   passes.fit.record(commands, upload.buffer, upload.offset, scene.mesh, resources.view);
   if (plan.shape) findShape(frame);
   if (plan.light) findLight(frame);
-  // What the picture's pixels see stays, for whoever composes it with something else.
+  // The picture comes last, so that composition finds what its pixels see.
   if (plan.centre) lookAtCentres(frame);
   if (plan.samples > 0) makePicture(frame);
 }

@@ -20,9 +20,9 @@ struct FrameUpload {
   std::size_t offset;  ///< of a shared::FrameData, see passes::FitPass
 };
 
-/// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
-/// vertices, all of which a plan without `light` leaves out, then what the picture shows. A plan
-/// that does not `scatter` leaves the exitance as it was.
+/// Records one frame: deformation, shadows, gathering and scattering at vertices, then what the
+/// picture shows. A plan without `light` has only the last. A plan that does not `scatter` leaves
+/// the exitance as it was.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);

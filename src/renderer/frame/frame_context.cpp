@@ -54,10 +54,10 @@ passes::ScatterTransport FrameContext::transport() const {
                                              : passes::ScatterTransport::BetterDipole;
 }
 
-// Under boundary transport nothing but the half-space's detail between clusters is seen, from
-// which most of the errors cancel. Coarse surfels need to know what is negligible.
+// Boundary transport uses only the half-space's detail between clusters, in which most errors
+// cancel. Coarse surfels need the estimate to know what is negligible.
 bool FrameContext::wantsEstimate() const {
-  constexpr float errorWithout = 0.001F;  // of what is seen, at most
+  constexpr float errorWithout = 0.001F;  // at most, relative to what is seen
   return !boundary() || scene.surfels.coarse || plan.tolerance < 5 * errorWithout;
 }
 

@@ -14,7 +14,7 @@
 
 namespace opaline {
 
-/// What every step of a frame needs, and what passes of several steps take.
+/// What every step of a frame needs, and arguments that several steps pass on.
 struct FrameContext {
   gpu::CommandList& commands;
   const Passes& passes;
@@ -30,7 +30,7 @@ struct FrameContext {
   paper::Technique::Frame onPaper() const;
 
   bool boundary() const;
-  bool carries() const;  ///< light from clusters to where it is seen
+  bool carries() const;  ///< whether light is carried from clusters to where it is seen
   passes::ScatterSite site() const;
   passes::ScatterTransport transport() const;
   passes::SurfelSumPass::Order order() const;

@@ -8,31 +8,31 @@ namespace opaline {
 
 namespace {
 
-// The solver's residuals in tolerances: less than 1, because what is seen may be far darker than
-// where the light enters.
+// The solver's residuals in units of the tolerance. They are less than 1 because visible places may
+// be far darker than those where light enters.
 constexpr float residualOfLight = 0.3F;
 constexpr float residualOfBounce = 1;
-// Behind opaque things in a body it is darker yet, and that what leaves there is a small difference
-// of large sums: as many times less.
+// A factor for bodies with linings. Behind opaque things it is darker still, and the light that
+// leaves there is a small difference of large sums.
 constexpr float residualBehindLinings = 0.1F;
 
 constexpr float widestOpening = 0.5F;
 
-// Of nodes in the sums over clusters: their error goes with its square and a half, so that it
-// follows the tolerance.
+// The opening angle of nodes in sums over clusters. Their error grows with its power of 2.5, so the
+// angle follows the tolerance.
 float openingAngleOf(float tolerance) {
   return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, widestOpening);
 }
 
-// Light from everywhere is even, and light that enters again a tenth or two of all, so that their
-// points may be taken together from nearer.
+// Light from everywhere is even, and light that enters again is a tenth or two of all light, so a
+// larger angle suffices for their points.
 float openingAngleOfEverywhere(float ofLight) {
   return std::min(1.4F * ofLight, widestOpening);
 }
 
 struct LightOfFrame : FrameContext {
-  // All that does not ask for light. Rays from clusters come last: they keep few of a GPU's
-  // processors busy, and what follows does not wait for them.
+  // All that does not depend on light. Rays from clusters come last: they keep few of a GPU's
+  // processors busy, and the next passes do not wait for them.
   void findShape() const {
     if (sendsRays(plan)) passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     if (!usesClusters(plan)) return;
@@ -62,8 +62,8 @@ struct LightOfFrame : FrameContext {
     if (plan.map) passes.paper->gather(commands, onPaper(), occluded ? &scene.clusters : nullptr);
   }
 
-  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
-  // much of the sky is seen from clusters.
+  // Clusters read the visibility of lights that surfels have gathered. Surfels read how much of the
+  // sky clusters see.
   void findEntries() const {
     const bool areaLights = onSurfels(plan) && plan.areaLights > 0;
     if (areaLights)
@@ -91,15 +91,15 @@ struct LightOfFrame : FrameContext {
       passes.opaque.overClusters(commands, ofOpaque(), from, plan.bounces, scene.clusters);
   }
 
-  // Kept ones are rounded, which moves a picture by up to 3e-4 of its mean: too much for finer
-  // tolerances, and behind linings.
+  // Stored coefficients are rounded, which changes a picture by up to 3e-4 of its mean. That is too
+  // much for finer tolerances and behind linings.
   bool keepsCoefficients() const {
     constexpr float finestTolerance = 0.002F;
     return plan.tolerance >= finestTolerance && !scene.clusters.haveLinings;
   }
 
-  // What leaves through the clusters: of the light that enters from outside, and of what leaves and
-  // enters again.
+  // Finds the light that leaves through clusters: of light that enters from outside, then of light
+  // that leaves and enters again.
   void solveBoundary() const {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
@@ -140,13 +140,13 @@ struct LightOfFrame : FrameContext {
     }
   }
 
-  // Sums the half-space where its mean over clusters is taken from.
+  // Sums the half-space at the places from which its mean over clusters is computed.
   void meansOverClusters() const {
     using From = passes::CarryPass::From;
     if (plan.sumsAtVertices)
       return passes.carry.recordMeans(commands, From::Vertices, resources.exitance.vertices,
                                       scene.surfels, scene.clusters);
-    // Coarse surfels are as large as what they resolve.
+    // Coarse surfels themselves serve as places; fine ones are joined to patches.
     const bool bySurfels = scene.surfels.coarse;
     if (!bySurfels) passes.carry.recordPatches(commands, scene.surfels, scene.clusters);
     const passes::Places places = bySurfels ? passes::surfelsOf(scene.surfels, scene.clusters)
@@ -173,7 +173,8 @@ struct LightOfFrame : FrameContext {
     return passes::verticesOf(scene.mesh, scene.surfels, resources.exitance);
   }
 
-  // The half-space, everything where the site is the vertices; else what is always summed there.
+  // Sums the half-space at vertices: all of it if that is the site, else the parts that are always
+  // summed there.
   void sumAtVertices() const {
     if (plan.sum == Sum::Pattern) {
       using Part = paper::Technique::VertexPart;
@@ -185,7 +186,7 @@ struct LightOfFrame : FrameContext {
       sumOver(placesOfVertices(), plan.sum, order());
   }
 
-  // What that sum has not.
+  // Adds what the clusters know and that sum lacks.
   void carryToVertices() const {
     if (plan.sum == Sum::Pattern) return;
     const passes::Places vertices = placesOfVertices();

@@ -4,11 +4,12 @@
 
 namespace opaline {
 
-/// Records all that does not ask for light: rays, what clusters see and what acts on what.
+/// Records all that does not depend on light: rays, what clusters see, and which clusters act on
+/// which.
 void findShape(const FrameContext& frame);
 
-/// Records how light falls on the scene and, in a plan that scatters, what it does there: the
-/// exitance of vertices and clusters.
+/// Records how light falls on the scene and, in a plan that scatters, the exitance of vertices and
+/// clusters.
 void findLight(const FrameContext& frame);
 
 }  // namespace opaline

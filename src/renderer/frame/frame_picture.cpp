@@ -9,7 +9,7 @@ namespace opaline {
 namespace {
 
 struct PictureOfFrame : FrameContext {
-  // The sum of the half-space.
+  // Sums the half-space at the surfaces in question.
   void sumWhereAsked(passes::Asked asked) const {
     const passes::SurfelSumPass::Fragments over{resources.tables, scene.surfels, seen(),
                                                 resources.exitance, asked};
@@ -31,7 +31,7 @@ struct PictureOfFrame : FrameContext {
   }
 
   void findSurfels() const {
-    // Clusters come with the rays, here or in the frame whose light is taken.
+    // Clusters have already recorded rays, here or in the frame whose light is reused.
     if (!usesClusters(plan)) passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
@@ -57,7 +57,7 @@ struct PictureOfFrame : FrameContext {
     passes.carry.overFragments(commands, resources.tables, scene.clusters, asked, seen());
   }
 
-  // The surfaces of a band of the picture, and what is summed there.
+  // Finds the surfaces of a band of the picture and sums light there.
   void findSurfaces(std::uint32_t firstRow, int samples) const {
     if (plan.sight)
       passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));

@@ -4,11 +4,11 @@
 
 namespace opaline {
 
-/// Records what the pixels' centres see, and what is asked of it.
+/// Records what the pixels' centres see, and the variables that are wanted of it.
 void lookAtCentres(const FrameContext& frame);
 
 /// Records the surfaces that pixels see, scattering at fragments and shading, for one band of the
-/// picture after the other. A plan without `sight` has the surfaces from before.
+/// picture after the other. A plan without `sight` reuses the surfaces of an earlier frame.
 void makePicture(const FrameContext& frame);
 
 }  // namespace opaline

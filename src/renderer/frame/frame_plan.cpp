@@ -19,9 +19,9 @@ bool sumsAtVertices(const FramePlan& plan, const SceneResources& scene) {
   return true;
 }
 
-// What is asked for, or where all objects agree, that; Auto where they do not.
+// The requested site; for Auto, the one that all objects agree on, or Auto if they differ.
 Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
-  // What is painted shows its detail at the fragments alone.
+  // Detail of paint shows only at fragments.
   const bool vertices = plan.site == Site::Vertex;
   if (plan.site != Site::Auto && !(vertices && plan.painted)) return plan.site;
   std::size_t atVertices = 0;
@@ -130,8 +130,8 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   plan.ambient = lighting.ambient;
   plan.visibleLights = showsLights(plan, lighting);
   plan.backdrop = showsBackdrop(plan, lighting);
-  // Where nothing has an inside, boundary transport is what it falls back to. Its bounces are those
-  // of opaque bodies too.
+  // Without any inside, boundary transport is the better dipole, unless opaque bodies need its
+  // bounces.
   if (plan.transport == Transport::Boundary && !scene.hasInside() && !plan.opaque)
     plan.transport = Transport::BetterDipole;
   plan.mirrorsBodies = plan.mirrorsBodies && (plan.opaque || plan.transport == Transport::Boundary);

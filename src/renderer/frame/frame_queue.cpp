@@ -19,8 +19,8 @@ namespace {
 // means and what is carried to vertices; estimate, scatter and nearby at the vertices and at the
 // surfels; surface, scatter, nearby, carry, reflected sky, shade, reflected lights and shade again
 // of every band of the largest picture, and as many at the pixels' centres; what is behind, and the
-// surfels seen there; what is done for others.
-constexpr std::uint32_t mostBands = 1024;  // 16384 rows of as many pixels, 8 samples each
+// surfels seen there; outputs for the caller.
+constexpr std::uint32_t mostBands = 1024;  // 16384 × 16384 pixels with 8 samples each
 constexpr std::uint32_t maxPassesOfFrame =
     10 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2 + 3) + 2 * 3 +
     2 * 8 * mostBands + 4;

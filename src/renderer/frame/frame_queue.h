@@ -15,36 +15,37 @@ class Device;
 
 namespace opaline {
 
-/// One of the frames that may be under way.
+/// One of the frames in flight.
 struct FrameSlot {
   explicit FrameSlot(gpu::Device& device);
 
   gpu::CommandList commands;
   Readback readback;
   bool provisional = false;  ///< see Frame
-  bool toHost = true;        ///< brings pictures to the host, which want to be collected
+  bool toHost = true;        ///< brings pictures to the host, which have to be collected
 };
 
-/// The frames of a view that were submitted and not collected.
+/// The frames of a view that were submitted but not collected.
 class FrameQueue {
  public:
   explicit FrameQueue(gpu::Device& device);
 
-  /// Whether none waits that brings pictures to the host; forgets others before that.
+  /// Whether no frame with pictures for the host waits to be collected. Forgets frames without.
   bool isEmpty();
-  /// Throws UsageError when as many are under way as there may be. The oldest is forgotten if it
-  /// brings nothing to the host.
+  /// Makes room for a frame: forgets the oldest if it brings nothing to the host. Throws UsageError
+  /// when there is none.
   void requireRoom();
-  /// To be recorded.
+  /// The slot of the next frame, to be recorded.
   FrameSlot& next() { return slots_[next_]; }
   /// Hands next() to the device.
   void submit(std::span<const gpu::SemaphoreValue> waits = {},
               std::span<const gpu::SemaphoreValue> signals = {});
   /// Records next() for others to submit.
   void recordInto(VkCommandBuffer commands, const gpu::SemaphoreValue& done);
-  /// After an exception before that: next() is to be recorded anew.
+  /// After an exception before submission: next() has to be recorded again.
   void abandon() { next().commands.abandon(); }
-  /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
+  /// Waits for the oldest frame and takes its pictures and times. Throws UsageError when there is
+  /// none.
   gpu::CommandCounts collect(Frame& frame, FrameTimes& times);
 
  private:

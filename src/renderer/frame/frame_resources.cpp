@@ -25,7 +25,7 @@ void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene
                              !scene.materials.empty(), resources.tables);
   passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   passes.ownSurfaces.makeTilts(device, scene.surfels, scene.opaque, resources.tables);
-  // A sky that is there was made for other indices of refraction.
+  // An existing sky was made for other indices of refraction.
   if (resources.sky.reflected)
     passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
 }

@@ -21,10 +21,10 @@ namespace opaline {
 
 struct Passes;
 
-/// Those that are seen at the pixels' centres, and the radiance.
+/// The number of variables that pixels' centres show, and the radiance.
 constexpr std::size_t variablesOfCentres = static_cast<std::size_t>(Aov::Surfels) + 1;
 
-/// What the passes of a frame read and write; depends on scene and view, not on the frame.
+/// What the passes of a frame read and write. It depends on scene and view, not on the frame.
 struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
@@ -37,22 +37,23 @@ struct FrameResources {
   passes::SeenCentres centres;  ///< these four are empty until a plan asks for them
   passes::SeenSurfels seenSurfels;
   gpu::GpuImage seenIrradiance;
-  std::array<gpu::GpuImage, variablesOfCentres> variables;  ///< by Aov: left for others
+  /// By Aov: left on the device for the caller.
+  std::array<gpu::GpuImage, variablesOfCentres> variables;
   std::optional<paper::Map> map;
-  std::unique_ptr<MaterialMotion> materials;  ///< where a clip changes what objects are made of
+  std::unique_ptr<MaterialMotion> materials;  ///< if a clip changes materials
 };
 
-/// What depends on media, transport and roughness. `edited` is the scene that `scene` was made of,
-/// and outlives the resources.
+/// Makes what depends on media, transport and roughness. `edited` is the scene that `scene` was
+/// made of, and outlives the resources.
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
                 const RenderOptions& options, const Scene& edited, FrameResources& resources);
 
-/// Makes the sky of these tables, which looks at every pixel of the environment. `glossy`: for
-/// surfaces of any roughness too.
+/// Makes the sky for these tables, which reads every pixel of the environment. `glossy`: also for
+/// surfaces of any roughness.
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
              const RenderOptions& options, bool glossy, FrameResources& resources);
 
-/// What depends on how many lights there are of which kind.
+/// Makes what depends on the number of lights of each kind.
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
                  bool cutOut, FrameResources& resources);
 

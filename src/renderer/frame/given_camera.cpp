@@ -55,7 +55,8 @@ GivenCamera perspectiveCamera(const Rows& rows) {
   camera.view.worldToClip = worldToClip(rows, {0, 0, 0, 1});
   camera.depth = {.clipDepth = glm::vec4(rows.z),
                   .clipW = glm::vec4(rows.w),
-                  // Depth is a + b over the distance along the axis, b the row's value there.
+                  // Depth is a + b / (distance along the axis), where b is the row's value at the
+                  // eye.
                   .isReversed = glm::dot(rows.z, glm::dvec4(position, 1)) > 0};
   return camera;
 }

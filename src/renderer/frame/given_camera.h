@@ -12,8 +12,8 @@ struct GivenCamera {
   passes::ComposePass::Depth depth;
 };
 
-/// Of a scene that has been moved to that origin. Throws UsageError for matrices that are no
-/// projection, or not finite.
+/// The camera in a scene that has been moved to that origin. Throws UsageError for matrices that
+/// are not a projection or not finite.
 GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm, int width,
                             int height);
 

@@ -4,7 +4,8 @@ namespace opaline {
 
 namespace {
 
-// Whether light found for one frame is that of another: all but the camera and what is made of it.
+// Whether the light of one frame is that of another: whether all is equal except the camera and
+// what depends on it.
 bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
   const RenderOptions& a = lit.options;
   const RenderOptions& b = now.options;
@@ -24,7 +25,7 @@ bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan, b
   const bool readsSurfels = rays || (hasSurfels && (plan.site != Site::Vertex || plan.irradiance));
   const bool there = !readsSurfels || litSurfels_ == &view;
   if (reuse && there && view.lit && holds(*view.lit, now)) return false;
-  if (!plan.scatter) {  // leaves the light that was there, but what surfels have gathered
+  if (!plan.scatter) {  // only what surfels have gathered changes; other light stays
     if (hasSurfels && plan.irradiance) litSurfels_ = nullptr;
     return true;
   }

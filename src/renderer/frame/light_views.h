@@ -7,7 +7,7 @@
 
 namespace opaline {
 
-/// All of them. Area lights come last.
+/// The number of all lights. Area lights come last.
 std::uint32_t lightCount(const Lighting& lighting);
 
 /// Number of shadow maps that the lights need: 1 for a directional light, 6 for a point light, 1 or

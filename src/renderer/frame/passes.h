@@ -70,7 +70,7 @@ struct Passes {
   passes::CentresPass centres;
   passes::SeenSurfelsPass seenSurfels;
   passes::SeenIrradiancePass seenIrradiance;
-  std::unique_ptr<const paper::Technique> paper;  ///< none until a frame needs it
+  std::unique_ptr<const paper::Technique> paper;  ///< null until a frame needs it
 };
 
 }  // namespace opaline

@@ -29,7 +29,7 @@ void resize(Image& image, VkExtent2D extent) {
   image.rgba.resize(std::size_t{4} * extent.width * extent.height);
 }
 
-// Sets every pixel to what `colour` says of its index, covered where `covered` says so.
+// Sets the colour of every pixel to `colour` of its index, and its alpha by `covered`.
 template <typename Colour, typename Covered>
 void fill(Image& image, const Covered& covered, const Colour& colour) {
   for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
@@ -153,7 +153,7 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, const 
 
 void Readback::record(gpu::CommandList& commands, FrameResources& resources, int solutions,
                       passes::Solver& solver) {
-  // One wait for all that is copied, and one for the host.
+  // There is one barrier for everything that is copied, and one for the host.
   if (solutions > 0) commands.use(solver.states, gpu::Access::TransferRead);
   recordImages(commands, resources);
   recordSolutions(commands, solutions, solver);

@@ -12,33 +12,33 @@
 
 namespace opaline {
 
-/// Whether a variable is read off the pixels' centres.
+/// Whether a variable is read from the pixels' centres.
 bool needsCentre(Aov aov);
 
-/// Whether a variable tells of light that was scattered, or of what scatters it.
+/// Whether a variable depends on scattered light, or on what scatters it.
 bool needsScattering(Aov aov);
 
-/// The images that a variable is made from: what is seen, or where the map has surface, and its
-/// values.
+/// The two images that a variable is made from: one for coverage, of pixels or of the map, and one
+/// for values.
 std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, FrameResources& resources);
 
-/// Brings output variables of a frame to the host: copies at the frame's end what they are made
-/// from, and makes pictures of it when the frame has finished. Reused for the same variables it
+/// Brings output variables of a frame to the host: it copies their sources at the frame's end, and
+/// makes pictures of them when the frame has finished. When it is reused for the same variables, it
 /// allocates nothing.
 class Readback {
  public:
-  /// Makes room for these variables of the next frame, of a scene that has been moved to that
-  /// origin. The last frame has finished.
+  /// Makes room for these variables of the next frame. The scene has been moved to that origin, and
+  /// the last frame has finished.
   void prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
                const Vec3& originMm, FrameResources& resources);
 
-  /// Records the copies, and that of how so many solutions went.
+  /// Records the copies of images, and of the states of that many solutions.
   void record(gpu::CommandList& commands, FrameResources& resources, int solutions,
               passes::Solver& solver);
 
   void finishSolutions(std::vector<Solution>& solutions) const;
 
-  /// The images in the order of the variables, and these; the frame has finished.
+  /// Returns the images in the order of the variables, and the variables. The frame has finished.
   void finish(std::vector<Image>& images, std::vector<Aov>& aovs) const;
 
  private:

@@ -11,7 +11,7 @@ namespace opaline {
 
 namespace {
 
-// Whether it casts the shadows of the other, however bright it is.
+// Whether two lights cast the same shadows, whatever their brightness.
 bool castsAlike(const shared::LightData& a, const shared::LightData& b) {
   return a.kind == b.kind && glm::vec3(a.place) == glm::vec3(b.place) && a.axis == b.axis &&
          a.cone == b.cone;

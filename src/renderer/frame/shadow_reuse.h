@@ -7,9 +7,8 @@
 
 namespace opaline {
 
-/// Which shadow maps the view's next frame has to draw: all, or with `reuse` those of lights that
-/// are not where they were when the maps were drawn that the view holds. They count as drawn from
-/// now on.
+/// The shadow maps that the view's next frame has to draw: all, or with `reuse` those of lights
+/// that have moved since the view's maps were drawn. They count as drawn from now on.
 passes::ShadowViews shadowsToDraw(const FramePlan& plan, bool reuse, const SceneChanges& changes,
                                   const shared::FrameData& frame, ViewResources& view);
 

@@ -7,18 +7,18 @@
 
 namespace opaline {
 
-/// Knows what the resources of a scene on the device hold of its shape: where everything lies in
-/// the frame, what of the scene is seen from where, and what acts on what.
+/// Knows for which frame the resources of a scene on the device hold its shape: where everything
+/// lies, what clusters see, and which clusters act on which.
 class ShapeReuse {
  public:
-  /// Whether the next frame has to find it, or may `reuse` what is there. If it has to, it counts
-  /// as found from now on.
+  /// Whether the next frame has to find the shape, or may `reuse` it. If it has to, the shape
+  /// counts as found from now on.
   bool mustFind(const RenderOptions& options, const FramePlan& plan, bool reuse,
                 const SceneChanges& changes);
 
  private:
   struct Shape {
-    SceneChanges changes;  // but of lights
+    SceneChanges changes;  // except those of lights
     Transport transport;
     float tolerance;
     bool clusters;

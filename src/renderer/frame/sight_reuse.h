@@ -8,8 +8,8 @@
 
 namespace opaline {
 
-/// Whether the view's next picture has to find what its pixels see, or may `reuse` what the one
-/// before has left. If it has to, it counts as found from now on.
+/// Whether the view's next picture has to find what its pixels see, or may `reuse` what the last
+/// one found. If it has to, that counts as found from now on.
 bool mustFindSight(const RenderOptions& options, const FramePlan& plan, bool reuse,
                    const SceneChanges& changes, const CameraView& camera, ViewResources& view);
 

@@ -25,7 +25,7 @@ class FrameTimes {
  private:
   static constexpr std::size_t kept = 1024;
 
-  /// The last values but the very first.
+  /// The last values, without the very first.
   struct Series {
     double first = 0;
     std::size_t count = 0;

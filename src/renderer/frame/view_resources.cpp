@@ -85,7 +85,7 @@ void ViewResources::forget() {
   for_.reset();
 }
 
-// Of the environment as it was given: its suns are seen as well.
+// Uses the environment as it was given, so that its suns are visible.
 void ViewResources::makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew) {
   const Lighting& given = edited.scene().lighting;
   const bool wanted = showsBackdrop(plan, given);
@@ -112,7 +112,7 @@ void ViewResources::makeExitance(const SceneResources& scene) {
 void ViewResources::makeImages(const RenderOptions& options) {
   const auto width = static_cast<std::uint32_t>(options.width);
   const auto height = static_cast<std::uint32_t>(options.height);
-  // Before memory for the next is taken.
+  // Freed before memory for the next is allocated.
   made_.surfaces = {};
   made_.centres = {};
   made_.seenSurfels = {};
@@ -125,7 +125,7 @@ void ViewResources::makeImages(const RenderOptions& options) {
   made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
 }
 
-// For as many samples as any frame has had.
+// Makes room for the largest number of samples that any frame has had.
 void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bool cutOut) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
@@ -139,14 +139,14 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
       .drawn = surfaces.kept.drawn || (!showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     sight.reset();
-    surfaces = {};  // before memory for the next is taken
+    surfaces = {};  // freed before memory for the next is allocated
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);
   }
   if (plan.centre && !made_.centres.position)
     made_.centres = passes::CentresPass::makeCentres(device_, extent);
 }
 
-// Few frames are by the paper's method, or show its map.
+// Made on demand, as few frames use the paper's method or show its map.
 void ViewResources::makeMap(const RenderOptions& options, SceneResources& scene) {
   made_.map = passes_.paper->makeMap(device_, restSceneOf(scene), *scene.flat, scene.mesh, options);
   lit.reset();

@@ -15,9 +15,9 @@
 
 namespace opaline {
 
-/// What a view has on the device. Follows its options and the scene, and makes again only what a
-/// change concerns. The picture stays through all changes but one of its size: others may show it
-/// while the rest is made anew.
+/// What a view has on the device. It follows options and scene, and remakes only what a change
+/// concerns. The picture is kept until its size changes, because the caller may show it while the
+/// rest is remade.
 class ViewResources {
  public:
   ViewResources(gpu::Device& device, const Passes& passes);
@@ -26,31 +26,31 @@ class ViewResources {
   void follow(const RenderOptions& options, const FramePlan& plan, SceneResources& scene,
               const EditedScene& edited, const SceneChanges& changes);
 
-  /// After a frame that failed: nothing but the picture is kept, and that without contents.
+  /// After a failed frame: keeps only the picture, without its contents.
   void forget();
 
   FrameResources& made() { return made_; }
   const FrameResources& made() const { return made_; }
 
-  /// The frame whose light they hold; none where something that holds light was made anew.
+  /// The frame whose light the resources hold; none if something that holds light was remade.
   struct Lit {
     RenderOptions options;
     SceneChanges changes;
     Site site = Site::Vertex;
     bool map = false;
-    bool rays = false;  ///< the surface is ready for them
+    bool rays = false;  ///< the surface is ready for rays
   };
   std::optional<Lit> lit;
 
-  /// The frame whose shadow maps they hold; none where these were made anew.
+  /// The frame whose shadow maps the resources hold; none if the maps were remade.
   struct Shadows {
     SceneChanges changes;  ///< SceneChanges::withoutLight()
     std::array<shared::LightData, shared::maxLights> lights;
   };
   std::optional<Shadows> shadows;
 
-  /// The picture whose surfaces they hold; none where their room was made anew, or something else
-  /// has taken it.
+  /// The picture whose visible surfaces the resources hold; none if their memory was remade or
+  /// overwritten.
   struct Sight {
     SceneChanges changes;  ///< SceneChanges::withoutLight()
     CameraView camera;
@@ -64,7 +64,7 @@ class ViewResources {
   std::optional<Sight> sight;
 
  private:
-  /// What they were made for.
+  /// What the resources were made for.
   struct For {
     RenderOptions options;
     SceneChanges changes;
@@ -79,7 +79,7 @@ class ViewResources {
   gpu::Device& device_;
   const Passes& passes_;
   FrameResources made_;
-  std::optional<For> for_;  // none: before the first frame, and after one that failed
+  std::optional<For> for_;  // none before the first frame and after a failed one
 };
 
 }  // namespace opaline

@@ -133,7 +133,9 @@ void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass
 
 void GivenPositions::abandon() {
   const std::size_t last = (slice_ + slices - 1) % slices;
-  if (submissions_[last] <= device_.submitted()) return;  // nothing was copied, or it was handed on
+  if (submissions_[last] <= device_.submitted())
+    return;  // nothing was copied, or the copy was
+             // submitted
   for (Given& given : objects_) given.pending = given.pending || given.copied;
   slice_ = last;
   submissions_[last] = device_.submitted();

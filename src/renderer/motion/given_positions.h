@@ -17,10 +17,10 @@
 namespace opaline {
 
 /// Positions that the caller gives instead of a pose, from host memory or a buffer of the device.
-/// Memory for them is taken at the first use.
+/// Memory for them is allocated at the first use.
 class GivenPositions {
  public:
-  /// The scene has been moved to that origin; what is given has not.
+  /// The scene has been moved to that origin; given positions have not.
   GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges, const Vec3& originMm);
 
   /// Throw UsageError for an object that does not exist or positions that do not fit it.
@@ -29,12 +29,12 @@ class GivenPositions {
   void restore(std::size_t object);
 
   bool isGiven(std::size_t object) const { return objects_[object].source != Source::Pose; }
-  /// Whether any are in a buffer of the device, where they may change from frame to frame.
+  /// Whether any are in a live buffer of the device, where they may change from frame to frame.
   bool readsDevice() const;
 
-  /// Copies what is new to where the deform pass reads it.
+  /// Copies new positions to where the deform pass reads them.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, passes::Motion& motion);
-  /// Unless what was recorded last has been handed to the device: it is copied with the next frame.
+  /// Copies the positions again with the next frame, unless the last recording was submitted.
   void abandon();
 
  private:
@@ -60,9 +60,9 @@ class GivenPositions {
   std::vector<Given> objects_;
   std::uint32_t vertices_ = 0;
   bool hasRoom_ = false;
-  gpu::Buffer staging_;  // in slices: one is being written, and frames under way read others
-  std::array<std::uint64_t, slices> submissions_{};  // that read each slice last
-  std::size_t slice_ = 0;                            // that is being written
+  gpu::Buffer staging_;  // in slices: one is being written while frames in flight read others
+  std::array<std::uint64_t, slices> submissions_{};  // the last that reads each slice
+  std::size_t slice_ = 0;                            // the one that is being written
 };
 
 }  // namespace opaline

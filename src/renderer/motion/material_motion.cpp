@@ -20,7 +20,7 @@ bool names(const std::vector<Keys<T>>& all, std::size_t object) {
                      [&](const Keys<T>& keys) { return keys.index == object; });
 }
 
-// Takes what the clip makes of an object, if it does.
+// Takes the clip's value for an object, if it has one.
 template <typename T>
 void takeOf(const std::vector<Keys<T>>& all, std::size_t object, double seconds, T& to) {
   for (const Keys<T>& keys : all)

@@ -13,17 +13,17 @@
 
 namespace opaline {
 
-/// What clips change of what objects are made of: the host finds it for every frame, and the tables
-/// on the device follow. The scene and its resources outlive it.
+/// Changes of materials by clips. The host evaluates them for every frame, and the tables on the
+/// device follow. The scene and its resources outlive it.
 class MaterialMotion {
  public:
-  /// Whether any clip changes something of that.
+  /// Whether any clip changes a material.
   static bool isNeeded(const Scene& scene);
 
   MaterialMotion(gpu::Device& device, const Scene& scene, const SceneResources& resources,
                  Transport transport, TablesOnHost onHost);
 
-  /// Brings the tables to that time; allocates nothing.
+  /// Updates the tables to that time; allocates nothing.
   void record(gpu::CommandList& commands, const SceneTime& time, passes::OpaqueTables& opaque,
               passes::SceneTables& tables);
 
@@ -32,7 +32,7 @@ class MaterialMotion {
  private:
   struct Surface {
     std::size_t object;
-    OpaqueMaterial now;  // numbers alone change
+    OpaqueMaterial now;  // only its numbers change
   };
 
   const Scene& scene_;
@@ -40,7 +40,7 @@ class MaterialMotion {
   Transport transport_;
   std::vector<Surface> surfaces_;
   std::vector<std::size_t> bodies_;  // objects whose media change
-  // What goes to the device for a frame.
+  // What is uploaded for a frame.
   std::vector<shared::OpaqueData> materials_;
   TablesOnHost onHost_;
   gpu::UploadRing ring_;

@@ -44,7 +44,7 @@ struct Lists {
   void close() { first.push_back(static_cast<std::uint32_t>(entries.size())); }
 };
 
-// Deltas that are not 0, vertex after vertex: targets of faces and the like are mostly zeros.
+// Only deltas that are not 0, vertex after vertex: targets of faces, for example, are mostly zeros.
 Lists<shared::MorphDelta> morphDeltas(const Scene& scene, const std::vector<ObjectRange>& ranges) {
   Lists<shared::MorphDelta> lists;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -69,7 +69,7 @@ Lists<shared::MorphDelta> morphDeltas(const Scene& scene, const std::vector<Obje
   return lists;
 }
 
-// Weights are brought to a sum of 1; a vertex without any stays with the first joint, as on the
+// Weights are normalised to a sum of 1. A vertex without weights follows the first joint, as on the
 // host.
 void addInfluences(const Rig& rig, std::size_t vertex, std::uint32_t firstMatrix,
                    std::vector<shared::JointInfluence>& entries) {
@@ -82,7 +82,7 @@ void addInfluences(const Rig& rig, std::size_t vertex, std::uint32_t firstMatrix
     entries.push_back({firstMatrix + influence->joint, influence->weight / sum});
 }
 
-// A rig without joints moves with its node: one influence a vertex.
+// A rig without joints moves with its node, by one influence per vertex.
 Lists<shared::JointInfluence> jointInfluences(const Scene& scene,
                                               const std::vector<ObjectRange>& ranges) {
   Lists<shared::JointInfluence> lists;
@@ -139,7 +139,7 @@ gpu::Buffer table(gpu::Device& device, const char* name, const std::vector<T>& d
 
 gpu::Buffer room(gpu::Device& device, const char* name, std::size_t bytes,
                  VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
-  constexpr std::size_t least = 16;  // so that it can always be bound
+  constexpr std::size_t least = 16;  // so that the buffer can always be bound
   return {device, {.name = name, .bytes = std::max(bytes, least), .usage = usage}};
 }
 

@@ -17,17 +17,17 @@ namespace opaline {
 struct ObjectRange {
   std::uint32_t firstVertex = 0;
   std::uint32_t vertexCount = 0;
-  std::uint32_t firstWeight = 0;  ///< of its morph targets' weights
+  std::uint32_t firstWeight = 0;  ///< first of its morph targets' weights
   std::uint32_t weightCount = 0;
-  std::uint32_t firstMatrix = 0;  ///< of its joints' matrices
+  std::uint32_t firstMatrix = 0;  ///< first of its joints' matrices
   std::uint32_t matrixCount = 0;
-  bool normalsFromMesh = false;  ///< even where its positions are not given
+  bool normalsFromMesh = false;  ///< even if its positions are not given
 };
 
-/// One range an object.
+/// One range per object.
 std::vector<ObjectRange> rangesOf(const Scene& scene);
 
-/// The tables of passes::Motion that stay; for set-up. The scene has been validated.
+/// The constant tables of passes::Motion; for set-up. The scene has been validated.
 passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene,
                                 const scene::MergedMesh& merged,
                                 const std::vector<ObjectRange>& ranges);

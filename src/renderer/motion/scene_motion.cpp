@@ -29,7 +29,7 @@ std::size_t mostJoints(const std::vector<ObjectRange>& ranges) {
   return most;
 }
 
-// With what aligning each part may take.
+// Includes what aligning each part may take.
 std::size_t uploadBytes(const gpu::Device& device, const std::vector<ObjectRange>& ranges) {
   const VkPhysicalDeviceLimits& limits = device.limits();
   const std::size_t slack = std::max<std::size_t>(
@@ -142,7 +142,7 @@ void SceneMotion::record(gpu::CommandList& commands, const passes::DeformPass& p
   upload(commands);
   given_.record(commands, pass, motion_);
   commands.endPass();
-  commands.cut();  // what is given may lie in another place in every frame
+  commands.cut();  // given positions may be in another buffer in every frame
   commands.beginPass("deform");
   pass.record(commands, motion_, mesh);
   commands.endPass();

@@ -15,20 +15,20 @@
 
 namespace opaline {
 
-/// How a scene on the device moves: evaluates the pose of its nodes for every frame, which is all
-/// the host does of it, and has the device do the rest. The scene outlives it; its deformers may
-/// change. It has been moved to that origin, but for its nodes and what callers give.
+/// The motion of a scene on the device. The host only evaluates the pose of its nodes for every
+/// frame; the device does the rest. The scene outlives it, and its deformers may change. The scene
+/// has been moved to that origin, except for its nodes and the positions that callers give.
 class SceneMotion {
  public:
   SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged,
               const Vec3& originMm);
 
-  /// Moves `mesh` to where it is at that time; allocates nothing.
+  /// Moves `mesh` to its shape at that time; allocates nothing.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, const SceneTime& time,
               passes::DeformedMesh& mesh);
 
   const std::vector<ObjectRange>& ranges() const { return ranges_; }
-  /// A frame has been given up.
+  /// Notes that a frame was abandoned.
   void abandon() { given_.abandon(); }
 
   GivenPositions& given() { return given_; }
@@ -47,8 +47,8 @@ class SceneMotion {
   scene::Pose pose_;
   std::vector<scene::Matrix4> joints_;  // of one object
   std::vector<bool> restMirrors_;       // by object
-  bool hasHeight_ = false;              // else there is nothing to twist or bend
-  // What goes to the device for a frame.
+  bool hasHeight_ = false;              // else deformers do nothing
+  // What is uploaded for a frame.
   shared::DeformFrame frame_{};
   std::vector<float> weights_;
   std::vector<shared::vec4> matrices_;

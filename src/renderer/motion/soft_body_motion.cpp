@@ -12,18 +12,18 @@ namespace opaline {
 
 namespace {
 
-// Every point of the body has nodes within it.
+// Large enough that every point of the body has nodes within this radius.
 constexpr double leastRadiusCells = 1.8;
 
-// Beyond that a place is far away, however far.
+// Larger distances are clamped to this.
 constexpr double farCells = 1e6;
 
-// Where nothing that a picture shows moves any more: diagonals, and diagonals a second.
+// Limits below which no motion is visible: diagonals, and diagonals per second.
 constexpr double stillShift = 1e-4;
 constexpr double stillSpeed = 1e-3;
 
-// A body that stands still that far from its rest, diagonals, for so many periods of its swing, is
-// led home with a force that grows over as many.
+// A body that stands still this far from its rest pose, in diagonals, for `strayPeriods` of its
+// swing is pulled back by a force that grows over `homePeriods`.
 constexpr double strayShift = 5e-3;
 constexpr double strayPeriods = 1;
 constexpr double homePeriods = 4;
@@ -110,7 +110,7 @@ void SoftBodyMotion::pull(const Vec3& toMm) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     goal[axis] =
         (static_cast<double>(toMm[axis]) - static_cast<double>(grabbedMm_[axis])) / cage_.cellMm;
-  // Far beyond the reach it is the direction that counts.
+  // Far beyond the reach only the direction counts.
   const double farthest = 100 * reachCells_;
   const double scale = farthest / std::max(std::hypot(goal[0], goal[1], goal[2]), farthest);
   for (double& value : goal) value *= scale;
@@ -188,7 +188,7 @@ void SoftBodyMotion::record(std::uint32_t substeps) {
   taking_ = false;
 }
 
-// Of the step that the slot was used for last, which is done.
+// Reads the report of the slot's last step, which has finished.
 void SoftBodyMotion::readReport(const Slot& slot) {
   if (slot.number == 0 || slot.number < disturbed_) return;
   shared::SoftReport report{};

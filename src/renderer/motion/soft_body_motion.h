@@ -16,7 +16,7 @@
 
 namespace opaline {
 
-/// A soft body on a device, without a renderer: what SoftBody says of its functions holds here.
+/// A soft body on a device, without a renderer. SoftBody documents its functions.
 class SoftBodyMotion {
  public:
   SoftBodyMotion(gpu::Device& device, std::span<const Vec3> restMm,
@@ -25,7 +25,7 @@ class SoftBodyMotion {
   void grab(const Vec3& pointMm, float radiusMm);
   void pull(const Vec3& toMm);
   void release();
-  /// Whether there is something new.
+  /// Returns whether there are new positions.
   bool step(double seconds);
   bool moves() const { return stillSeconds_ < neededSeconds_; }
 
@@ -34,14 +34,14 @@ class SoftBodyMotion {
   passes::SoftBodyState& state() { return state_; }
 
  private:
-  // One of the steps that may be under way.
+  // One of the steps in flight.
   struct Slot {
     explicit Slot(gpu::Device& device);
 
     gpu::CommandList commands;
     gpu::Buffer report;
-    std::uint64_t number = 0;  // of the step that fills it; 0: none does
-    double seconds = 0;        // that it makes up for
+    std::uint64_t number = 0;  // of the step that uses the slot; 0: none
+    double seconds = 0;        // by which the step advances time
   };
 
   void disturb();
@@ -58,14 +58,14 @@ class SoftBodyMotion {
   double reachCells_ = 1;
   Vec3 grabbedMm_{};
   double radiusCells_ = 1;
-  std::array<double, 3> goal_{};  // cells, from where it was grabbed
-  bool taking_ = false;           // the next step takes hold
+  std::array<double, 3> goal_{};  // cells, relative to where the body was grabbed
+  bool taking_ = false;           // the next step grabs
   bool holds_ = false;
-  double waiting_ = 0;           // seconds that no substep has gone through
-  std::uint64_t steps_ = 0;      // handed to the device
-  std::uint64_t disturbed_ = 0;  // the first step that the last grab, pull or release is in
-  // How long nothing has moved, as far as is known, and how long it has to be: at the turn of a
-  // swing nothing moves either.
+  double waiting_ = 0;           // seconds that no substep has covered yet
+  std::uint64_t steps_ = 0;      // submitted
+  std::uint64_t disturbed_ = 0;  // the first step that includes the last grab, pull or release
+  // How long nothing is known to have moved, and how long that has to last: at the turning point of
+  // a swing nothing moves either.
   double stillSeconds_ = 0;
   double neededSeconds_ = 0;
 };

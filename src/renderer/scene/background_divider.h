@@ -7,16 +7,16 @@
 
 namespace opaline {
 
-/// Divides a surface on another thread, one order at a time: while one is under way, only the last
-/// that was wanted since comes next.
+/// Divides a surface on another thread, one order at a time. Of the orders that arrive meanwhile,
+/// only the last is carried out next.
 class BackgroundDivider {
  public:
   /// `merged` and its linings stay as they are until forget().
   void want(const DivisionOrder& order, const scene::MergedMesh& merged,
             const surfels::Linings& linings);
-  /// What is done by now, or, for the patient, what was wanted last.
+  /// The division that is ready by now, if any; with `patient`, waits for the last order.
   std::optional<Division> take(bool patient);
-  /// Waits for what is under way and drops it.
+  /// Waits for the current order and drops its result.
   void forget();
 
  private:
@@ -24,8 +24,8 @@ class BackgroundDivider {
 
   const scene::MergedMesh* merged_ = nullptr;
   const surfels::Linings* linings_ = nullptr;
-  std::optional<DivisionOrder> next_;  // not begun
-  DivisionOrder present_;              // under way
+  std::optional<DivisionOrder> next_;  // not begun yet
+  DivisionOrder present_;              // being carried out
   std::future<Division> future_;
 };
 

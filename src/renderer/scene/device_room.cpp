@@ -15,7 +15,7 @@ namespace opaline {
 
 namespace {
 
-// The largest of their buffers.
+// Bytes per piece of the largest buffer of pieces.
 constexpr std::size_t bytesOfPiece =
     std::max(sizeof(shared::SurfelPiece), sizeof(shared::RayPiece));
 constexpr std::size_t bytesOfSurfel =

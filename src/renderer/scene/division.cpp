@@ -16,11 +16,11 @@ namespace {
 // Size of surfels in mean free paths, with some room for surfaces that stretch.
 constexpr double sizeInFreePaths = 0.65;
 
-// Largest edge of clusters, in mean free paths of the channel where they are longest: on larger
-// ones light that enters lies too near the surface for them.
+// Largest edge of clusters, in mean free paths of the channel where they are longest: light that
+// enters larger ones stays too near the surface.
 constexpr double clusterInFreePaths = 4;
 
-// Clusters up to that much larger than wanted look the same.
+// Clusters larger than wanted by up to this factor make no visible difference.
 constexpr double notableCoarseness = 1.5;
 
 double longestMeanFreePathMm(const Medium& medium) {
@@ -30,7 +30,7 @@ double longestMeanFreePathMm(const Medium& medium) {
   return longest;
 }
 
-// Where clips change the medium, of the time when it is shortest.
+// If clips change the medium, the shortest over time.
 double longestInAnyClipMm(const Scene& scene, std::size_t object) {
   double longest = longestMeanFreePathMm(scene.objects[object].medium);
   scene::forEachMediumOf(scene, object, [&](const Medium& medium) {
@@ -39,7 +39,7 @@ double longestInAnyClipMm(const Scene& scene, std::size_t object) {
   return longest;
 }
 
-// Of opaque bodies, in diagonals of the scene: how finely the light between them is known.
+// Sizes for opaque bodies, in diagonals of the scene: the resolution of light between them.
 constexpr double opaqueSpacing = 0.01;
 constexpr double opaqueCluster = 0.03;
 
@@ -51,7 +51,7 @@ double spacingOfObjectMm(const Scene& scene, std::size_t object, double sceneMm)
   return sizeInFreePaths * bssrdf::shortestMeanFreePathMm(scene::finestMedium(scene, object));
 }
 
-// In an open body nothing is solved: what it sends to others has only its shape.
+// Nothing is solved in an open body: its clusters only serve the light that it sends to others.
 double clusterOfObjectMm(const Scene& scene, const Insides& insides, std::size_t object,
                          double sceneMm) {
   if (scene.objects[object].isGround) return surfels::asItsTriangles;
@@ -60,7 +60,7 @@ double clusterOfObjectMm(const Scene& scene, const Insides& insides, std::size_t
                                          : infinity;
 }
 
-// Whether light falls on both sides of its surface.
+// Whether light falls on both sides of an object's surface.
 bool hasBack(const Scene& scene, const Insides& insides, std::size_t object) {
   return scene.objects[object].opaque &&
          (insides.objectIsOpen[object] || scene::letsLightThrough(scene, object));

@@ -16,7 +16,7 @@
 
 namespace opaline {
 
-/// How finely a scene's surface is to be divided for the media it is of.
+/// How finely a scene's surface is to be divided for its media.
 struct DivisionOrder {
   std::vector<double> spacingOfBodyMm;                ///< of surfels
   std::vector<surfels::ClusterOrder> clustersOfBody;  ///< empty without clusters
@@ -26,25 +26,24 @@ struct DivisionOrder {
   bool operator==(const DivisionOrder&) const = default;
 };
 
-/// For the finest medium of each body. Clusters where `maxClusters` says so; only then are insides
-/// asked for.
+/// The order for the finest medium of each body. It has clusters, and reads `insides`, only if
+/// `maxClusters` is set.
 DivisionOrder divisionFor(const Scene& scene, const scene::MergedMesh& merged,
                           const Insides& insides, std::size_t maxSurfels,
                           std::optional<std::size_t> maxClusters);
 
-/// A surface in surfels and, where they were ordered, clusters of them; on the host.
+/// A surface divided into surfels and, if ordered, clusters of them; on the host.
 struct Division {
   DivisionOrder order;
   surfels::SurfelDivision surfels;
   std::optional<surfels::ClusterDivision> clusters;
 };
 
-/// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
+/// May be called from any thread. Takes tenths of a second for 100,000 triangles.
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
                 const surfels::Linings& linings = {});
 
-/// Says what the budgets of surfels and of clusters leave to be wished for, and whether larger ones
-/// would help.
+/// Logs how far the budgets of surfels and clusters fall short, and whether larger ones would help.
 void noteCoarseness(const Division& division, const DeviceRoom& room, const LogCallback& log);
 
 }  // namespace opaline

@@ -17,7 +17,8 @@ namespace opaline {
 
 namespace {
 
-// Lights whose shadow maps do not know the ground; rays meet it.
+// Removes lights below the ground, which shadow maps do not contain. Area lights stay: their rays
+// meet the ground.
 void hideBelow(float heightMm, Lighting& lighting) {
   const auto isBelow = [&](const auto& light) { return light.positionMm[1] <= heightMm; };
   std::erase_if(lighting.directional,
@@ -26,7 +27,7 @@ void hideBelow(float heightMm, Lighting& lighting) {
   std::erase_if(lighting.spots, isBelow);
 }
 
-// Lights that somebody has changed, or put elsewhere in the list, follow no clip any more.
+// Lights that were changed, or moved in the list, no longer follow clips.
 template <typename Light>
 void keepAlike(const std::vector<Light>& now, const std::vector<Light>& before,
                std::vector<Keys<Light>>& all) {
@@ -41,7 +42,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   ++number_;
   time_ = {};
   motion_.reset();
-  scene_.reset();  // before memory for the next is taken
+  scene_.reset();  // freed before memory for the next is allocated
   scene_ = scene;
   try {
     origin_ = originFor(*scene_);
@@ -51,7 +52,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
     suns_ = findSuns(scene_->lighting.environment);
     followClip();
   } catch (...) {
-    scene_.reset();  // half a scene is none
+    scene_.reset();  // drops an incomplete scene
     throw;
   }
 }
@@ -76,7 +77,7 @@ const Camera& EditedScene::camera() const {
   return camera_;
 }
 
-// Where nothing moves but lights and the camera, what lies where stays.
+// Whether vertices or materials change with time, not only lights and camera.
 bool EditedScene::movesWithTime() const {
   const auto hangsOnNodes = [](const Object& object) { return object.rig.has_value(); };
   return !scene_->deformers.empty() || MaterialMotion::isNeeded(*scene_) ||
@@ -132,7 +133,8 @@ void EditedScene::setCamera(const Camera& camera) {
 void EditedScene::setLighting(const Lighting& lighting) {
   validate(lighting);
   Lighting& present = edit().lighting;
-  // All that can fail comes first. Environments are large and seldom change.
+  // All that can fail comes first. Suns are only searched in a new environment, because that takes
+  // long.
   std::optional<Suns> suns;
   if (lighting.environment != present.environment) suns = findSuns(lighting.environment);
   nextGiven_ = lighting;

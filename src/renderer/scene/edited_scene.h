@@ -18,35 +18,35 @@ class Device;
 
 namespace opaline {
 
-/// The scene that was set, as its edits have left it. Whoever makes something of it sees by its
-/// changes what to make again. Everything but set() throws Error while there is none.
+/// The scene that was set, with all its edits. Its counts of changes tell what has to be remade.
+/// All functions except set() throw Error while there is no scene.
 class EditedScene {
  public:
   EditedScene() = default;
   EditedScene(const EditedScene&) = delete;
   EditedScene& operator=(const EditedScene&) = delete;
 
-  /// At time 0 of its first clip. After an exception there is none.
+  /// Sets a scene at time 0 of its first clip. After an exception there is none.
   void set(gpu::Device& device, const Scene& scene);
-  /// How often one was set.
+  /// How often a scene was set.
   std::uint64_t number() const { return number_; }
 
-  /// Its meshes as from its origin, which is nearer to them than they were given; its lights and
-  /// its camera as they were given.
+  /// The scene. Its meshes are relative to origin(), which is near them; its lights and camera are
+  /// as they were given.
   const Scene& scene() const;
   const Vec3& origin() const { return origin_; }
-  /// A camera of the caller's, as from there.
+  /// A camera of the caller's, relative to the origin.
   Camera seen(Camera camera) const;
-  /// Its lights as the clip has them and the suns of its environment, which then lacks them; as
-  /// from the origin.
+  /// The lights at the current time, relative to the origin. Suns are lights of their own and
+  /// removed from the environment.
   const Lighting& lighting() const;
-  /// Where the clip has it, as from the origin.
+  /// The camera at the current time, relative to the origin.
   const Camera& camera() const;
   const std::vector<DirectionalLight>& suns() const;
   const Object& object(std::size_t index) const;
   const scene::MergedMesh& merged() const { return merged_; }
   SceneMotion& motion();
-  /// All but what devices have of it.
+  /// Counts of the scene's changes, without those of its resources on a device.
   const SceneChanges& changes() const { return changes_; }
 
   void setCamera(const Camera& camera);
@@ -61,21 +61,22 @@ class EditedScene {
   }
   void restorePositions(std::size_t object);
 
-  /// Throws UsageError for a clip that it does not have.
+  /// Throws UsageError for a clip that the scene does not have.
   void setTime(const SceneTime& time);
   const SceneTime& time() const { return time_; }
 
-  /// A frame will be made of it.
+  /// Has to be called before a frame is made.
   void beginFrame();
-  /// Its surface has been divided anew.
+  /// Notes that the surface has been divided anew.
   void noteDivision() { ++changes_.media; }
-  /// A device has it anew. Returns how often that was, for any.
+  /// Notes that resources were made on a device. Returns how often that has happened for all
+  /// scenes.
   std::uint64_t noteMaking() { return ++makings_; }
 
  private:
   Scene& edit();
-  /// `all`: as the clip has those that are the scene's, with the suns of the environment, and
-  /// without what the ground hides.
+  /// Completes `all`, the scene's lights at the current time: adds the suns of the environment and
+  /// removes lights that the ground hides.
   void addSuns(const Lighting& given, const Suns& suns, Lighting& all) const;
   bool movesWithTime() const;
   void followClip();
@@ -86,7 +87,7 @@ class EditedScene {
   Vec3 origin_{};
   Suns suns_;
   Lighting lighting_;
-  // Of the last change, for their memory.
+  // Kept from the last change to reuse their memory.
   Lighting nextGiven_;
   Lighting next_;
   Camera camera_;

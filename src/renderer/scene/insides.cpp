@@ -15,13 +15,13 @@ namespace opaline {
 
 namespace {
 
-// One more is named, not counted.
+// A single further name is listed instead of counted.
 std::string listed(const std::vector<std::string_view>& names) {
   constexpr std::size_t mostNamed = 3;
   return scene::listed(names, names.size() == mostNamed + 1 ? names.size() : mostNamed);
 }
 
-// Of objects that are open, all over or in parts.
+// Logs objects that are open, entirely or in parts.
 void noteOpen(const std::vector<std::string_view>& names, bool inParts, const LogCallback& log) {
   if (names.empty() || !log) return;
   const bool one = names.size() == 1;
@@ -52,7 +52,7 @@ surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasI
   return isSheet ? Substance::Sheet : Substance::Solid;
 }
 
-// Of every object's triangles.
+// For every object's triangles, whether they have an inside.
 std::vector<std::vector<bool>> insideOf(const Scene& scene, const scene::MergedMesh& merged) {
   std::vector<std::vector<bool>> inside = scene::insideOfObjects(scene, merged.bodyOfObject);
   // Nobody sees a ground from below.

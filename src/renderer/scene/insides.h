@@ -9,17 +9,18 @@
 
 namespace opaline {
 
-/// What has an inside; only known where there are clusters.
+/// What has an inside; only known if there are clusters.
 struct Insides {
-  std::vector<bool> objectHasInside;      ///< it is translucent, and some part of its body closed
-  std::vector<bool> objectIsOpen;         ///< some part of its body is
-  std::vector<bool> triangleHasInside{};  ///< of all objects: the part that it is of is closed
+  std::vector<bool> objectHasInside;  ///< it is translucent, and some part of its body is closed
+  std::vector<bool> objectIsOpen;     ///< some part of its body is open
+  std::vector<bool> triangleHasInside{};  ///< of all objects: its part of the surface is closed
 };
 
-/// Notes to `log` what is translucent and open.
+/// Finds insides and logs which translucent objects are open.
 Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const LogCallback& log);
 
-/// Of opaque things in translucent ones. Notes what lies in one, but cannot end its light.
+/// Finds the surfaces of opaque things in translucent ones. Logs things that lie in one but cannot
+/// end its light.
 surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged,
                              const Insides& insides, const LogCallback& log);
 

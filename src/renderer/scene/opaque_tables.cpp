@@ -30,7 +30,7 @@ bool readsAttributes(const Scene& scene) {
   return any;
 }
 
-// KHR_materials_ior: 0 stands for what reflects all.
+// KHR_materials_ior: 0 stands for a surface that reflects everything.
 float headOnReflectance(float ior) {
   const float part = ior == 0 ? 1 : (ior - 1) / (ior + 1);
   return part * part;
@@ -182,7 +182,7 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
   packer.reset();
   onHost.clear();
   passes::OpaqueTables tables;
-  // What is bound all the same.
+  // Buffers have to be bound even if there are no materials.
   if (materials.empty()) {
     for (gpu::Buffer* buffer : {&tables.materials, &tables.texels, &tables.attributes,
                                 &tables.tangents, &tables.gloss, &tables.lobes})

@@ -15,14 +15,15 @@ class Device;
 
 namespace opaline {
 
-/// Whether paint is seen of it.
+/// Whether an object shows paint.
 bool isPainted(const Object& object);
 
-/// Whether it is translucent and has a roughness or normals of its own; or normals.
+/// Whether an object is translucent and has a roughness or normals of its own; the second only for
+/// normals.
 bool hasOwnSurface(const Object& object);
 bool hasOwnNormals(const Object& object);
 
-/// What textures an object's surface has: those of its opaque material, or its paint as base
+/// The textures of an object's surface as a material: its opaque material, or its paint as base
 /// colour and those of its own surface.
 std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 
@@ -30,15 +31,15 @@ std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 void setNumbers(const OpaqueMaterial& material, shared::OpaqueData& data);
 
 /// The materials of a scene, `materials` of them, with their textures, and what they read of its
-/// meshes. Notes go to `log`, what the table of materials was made of to `onHost`. Leaves in
-/// `packer` where the textures lie.
+/// meshes. Notes go to `log`, and the contents of the table of materials to `onHost`. `packer` then
+/// knows where the textures lie.
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
                                       std::optional<TexturePacker>& packer, const LogCallback& log,
                                       std::vector<shared::OpaqueData>& onHost);
 
-/// Others of the same number or not, as long as `packer` knows all their textures: else false, and
-/// nothing is done.
+/// Replaces the materials, whose number may differ. If `packer` does not know all their textures,
+/// does nothing and returns false.
 bool retakeMaterials(gpu::Device& device, const Scene& scene,
                      const std::vector<OpaqueMaterial>& materials,
                      std::optional<TexturePacker>& packer, passes::OpaqueTables& tables,

@@ -21,12 +21,12 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
     followMedia(scene, patient);
   if (needs.maxClusters || !lighting.areas.empty()) followLights(lightCount(lighting));
   if (plan.map) layFlat(options.dsmSize);
-  // Clusters may be there for what is hidden of the sky alone.
+  // Clusters may exist only for the occlusion of the sky, without coefficients.
   if (solves(plan) && !resources_->solver.coefficients) {
     passes::SolverPass::makeCoefficients(device_, resources_->clusters, resources_->solver);
     passes::BeamPass::makeCoefficients(device_, resources_->clusters);
   }
-  // Most frames are not asked which surfels they show.
+  // Most frames do not show surfels, so boxes are made on demand.
   if (plan.seenSurfels && !resources_->rays.boxes)
     resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
 }
@@ -86,7 +86,7 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   const std::optional<Division> division = divider_.take(patient);
   if (!division || !(division->order == wanted_)) return;
   takeDivision(device_, *division, *resources_);
-  scene.noteDivision();  // tables name where surfels lie
+  scene.noteDivision();  // tables contain the places of surfels
   media_ = scene.changes().media;
 }
 
@@ -104,12 +104,12 @@ bool PreparedScene::isProvisional() const {
   return resources_->needs.maxSurfels && !(resources_->divided == wanted_);
 }
 
-// Few frames are by the paper's method, or show its map.
+// Made on demand, as few frames use the paper's method or show its map.
 void PreparedScene::layFlat(int mapSize) {
   if (!passes_.paper) passes_.paper = std::make_unique<const paper::Technique>(device_);
   std::optional<paper::FlatScene>& flat = resources_->flat;
   if (flat && flat->mapSize == mapSize) return;
-  flat.reset();  // before memory for the next is taken
+  flat.reset();  // freed before memory for the next is allocated
   flat = paper::Technique::layFlat(device_, surfaceOf(*resources_->merged), mapSize);
 }
 

@@ -20,32 +20,33 @@ namespace opaline {
 
 struct Passes;
 
-/// The scene on the device, divided in one way, as far as the frames so far needed it: decides what
-/// has to be made, and what made anew because of an edit.
+/// The scene on the device, divided in one way, as far as frames have needed it so far. It decides
+/// what has to be made, and what an edit requires to be remade.
 class PreparedScene {
  public:
   PreparedScene(gpu::Device& device, Passes& passes, LogCallback log);
 
-  /// Whether it has nothing else that the frame needs otherwise, but lacks it at most.
+  /// Whether it suits the frame: it may lack something, but has nothing that the frame needs to be
+  /// different.
   bool fits(const RenderOptions& options, const FramePlan& plan, const Lighting& lighting) const;
-  /// Brings what the frame needs up to date. What one sum needs is kept for when it is asked for
-  /// again. `patient`: waits until the surface is divided for the scene's media.
+  /// Updates what the frame needs. What other sums need is kept for later frames. `patient`: waits
+  /// until the surface is divided for the scene's media.
   void prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
                EditedScene& scene);
-  /// Another scene will be set.
+  /// Drops everything, because another scene will be set.
   void clear();
 
-  /// Those of the scene, and what was made anew here.
+  /// The scene's changes, combined with those of what was remade here.
   SceneChanges changes(const EditedScene& scene) const;
-  /// Whose light the surfels hold.
+  /// Knows whose light the surfels hold.
   LightReuse& light() { return light_; }
-  /// Whose shape.
+  /// Knows which frame's shape the resources hold.
   ShapeReuse& shape() { return shape_; }
 
-  /// After the first frame.
+  /// The resources; only after the first prepare().
   SceneResources& scene() { return *resources_; }
   const SceneResources& scene() const { return *resources_; }
-  /// Whether the surface is still divided for other media than the scene has now.
+  /// Whether the surface is still divided for earlier media of the scene.
   bool isProvisional() const;
 
  private:
@@ -61,9 +62,9 @@ class PreparedScene {
   Passes& passes_;
   LogCallback log_;
   std::optional<SceneResources> resources_;
-  std::uint64_t made_ = 0;   // number of the last making, of all scenes
-  std::uint64_t media_ = 0;  // count of changes that they have followed
-  DivisionOrder wanted_;     // for these media
+  std::uint64_t made_ = 0;   // EditedScene::noteMaking() of the last making
+  std::uint64_t media_ = 0;  // SceneChanges::media that the resources have followed
+  DivisionOrder wanted_;     // for the current media
   BackgroundDivider divider_;
   LightReuse light_;
   ShapeReuse shape_;

@@ -21,7 +21,7 @@ std::shared_ptr<PreparedScene> PreparedScenes::share(const RenderOptions& option
     const auto found = std::find_if(others.begin(), others.end(), fits);
     present = found != others.end() ? *found : nullptr;
   }
-  last_ = present;  // what nobody needs goes before memory for the next is taken
+  last_ = present;  // frees what nobody needs before memory for the next is allocated
   std::erase_if(shared_, [](const auto& scene) { return scene.expired(); });
   if (!present) {
     present = last_ = std::make_shared<PreparedScene>(device_, passes_, log_);

@@ -8,18 +8,18 @@
 
 namespace opaline {
 
-/// The scene on the device, once for all views that divide it alike. It stays as long as one of
-/// them, and the one that a frame used last for the views to come.
+/// The scene on the device, shared by all views that divide it in the same way. A prepared scene
+/// lives as long as one of its views; the last one that a frame used is also kept for later views.
 class PreparedScenes {
  public:
   PreparedScenes(gpu::Device& device, Passes& passes, LogCallback log);
 
-  /// For a frame of a view that has `present`, or none yet: that one if it fits its options, else
-  /// one that another has and that does, else a new one.
+  /// The prepared scene for a frame of a view that uses `present`, which may be null: `present` if
+  /// it fits, else another view's that fits, else a new one.
   std::shared_ptr<PreparedScene> share(const RenderOptions& options, const FramePlan& plan,
                                        const Lighting& lighting,
                                        std::shared_ptr<PreparedScene> present);
-  /// Another scene will be set.
+  /// Drops everything, because another scene will be set.
   void clear();
 
  private:

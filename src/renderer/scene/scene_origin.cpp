@@ -26,7 +26,7 @@ void seeFrom(const Vec3& originMm, TubeLight& light) {
 }  // namespace
 
 Vec3 originFor(const Scene& scene) {
-  // Nearer than that, rounding is no larger than in the arithmetic after it.
+  // Within this distance, rounding is no larger than that of later arithmetic.
   constexpr double farDiagonals = 8;
   const Bounds bounds = boundsOf(scene);
   const Vec3 middle = middleOf(bounds);

@@ -61,7 +61,7 @@ bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t
                     bssrdf::isSameInside(object.medium, resources.media[medium]));
 }
 
-// What clips change is shared with nobody, as objects of one material may change apart.
+// Media that clips change are not shared, since objects of one material may change separately.
 void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
   resources.mediaInClips.clear();
@@ -114,7 +114,7 @@ void listMaterials(const Scene& scene, SceneResources& resources) {
   }
 }
 
-// A ground comes last.
+// A ground comes last and does not cast shadows.
 std::uint32_t castingTriangles(const Scene& scene) {
   std::size_t triangles = 0;
   for (const Object& object : scene.objects)
@@ -126,7 +126,7 @@ void measure(const Scene& scene, SceneResources& resources) {
   for (const Object& object : scene.objects) resources.sizeOfObject.push_back(sizeOf(object.mesh));
 }
 
-// Neighbours in one range.
+// Objects that follow each other share a range.
 void findHoles(const Scene& scene, passes::DeformedMesh& mesh) {
   mesh.cutOut.clear();
   mesh.whole.clear();
@@ -161,11 +161,11 @@ void makeMesh(gpu::Device& device, const Scene& scene, SceneResources& resources
   findHoles(scene, mesh);
 }
 
-// Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
-// lattice of that spacing is off by about 2 e^{-2π / this}.
+// The spacing of sources, in mean free paths, from which on sums need NearbyPass. The error of a
+// lattice of that spacing is about 2 e^{-2π / this}.
 constexpr double coarseInFreePaths = 0.8;
 
-// Where a medium's light is summed over surfels of another's size, they may be coarse.
+// Surfels may be coarse for a medium if their size follows another one.
 void noteSpacing(SceneResources& resources) {
   resources.surfels.coarse = false;
   // Two triangles fill two of a surfel's sources.
@@ -190,7 +190,7 @@ std::vector<double> areasOfBodiesMm2(const SceneResources& resources) {
   return areas;
 }
 
-// Of triangles of bodies and, behind them, of their linings.
+// The objects of the triangles of bodies, followed by those of linings.
 std::vector<std::uint32_t> objectsOfTriangles(const core::RestSurface& bodies,
                                               const scene::MergedMesh& merged) {
   std::vector<std::uint32_t> objects = merged.objectOfTriangle;
@@ -199,7 +199,7 @@ std::vector<std::uint32_t> objectsOfTriangles(const core::RestSurface& bodies,
   return objects;
 }
 
-// What the parts of the scene, and of its linings, are to boundary transport.
+// The roles of the scene's parts and linings in boundary transport.
 passes::BodyKinds kindsOf(const SceneResources& resources) {
   passes::BodyKinds kinds;
   kinds.triangleHasInside = resources.insides.triangleHasInside;
@@ -234,12 +234,12 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
 
 }  // namespace
 
-// Mean edge by area, in mean free paths: of a fine mesh that stands on a coarse floor it is the
-// floor's.
+// Limit for the mean edge weighted by area, in mean free paths. For a fine mesh that stands on a
+// coarse floor that is the floor's.
 constexpr double longestByArea = 3;
 
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
-  // What is painted or has normals of its own shows its detail at the fragments alone.
+  // Detail of paint and of normal textures shows only at fragments.
   if (resources.isOpaque(object) || resources.isPainted(object) || resources.hasOwnNormals(object))
     return false;
   const SizeOfObject& size = resources.sizeOfObject[object];
@@ -248,7 +248,7 @@ bool wantsVertices(const SceneResources& resources, std::size_t object) {
   return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
 }
 
-// Mean edge by area, in mean free paths: far more than what is interpolated well.
+// Mean edge weighted by area, in mean free paths, far beyond what can be interpolated well.
 constexpr double loseDetail = 30;
 
 void noteSite(const Scene& scene, const SceneResources& resources, Site site,
@@ -344,7 +344,7 @@ void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resource
                                           {}, resources.materialsOnHost);
     findHoles(scene, resources.mesh);
   }
-  // Normals that come later want to know of which triangles the surfels are.
+  // Normal textures added later need the triangles of surfels.
   if (hasNormals(resources) && !resources.surfels.triangleOfPiece) resources.divided = {};
   if (resources.needs.maxSurfels) noteSpacing(resources);
 }
@@ -366,7 +366,7 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
   const std::vector<std::uint32_t> objects = objectsOfTriangles(bodies, merged);
   const core::RestSurface surface{bodies.positionsMm, bodies.triangles, objects};
   resources.divided = division.order;
-  resources.surfels = {};  // before memory for the next is taken
+  resources.surfels = {};  // freed before memory for the next is allocated
   resources.rays = {};
   resources.clusters = {};
   resources.solver = {};

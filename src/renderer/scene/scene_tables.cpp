@@ -29,7 +29,7 @@ namespace opaline {
 
 namespace {
 
-// An opaque surface has none that light would see.
+// The medium's index of refraction; 1 for opaque surfaces, which light does not enter.
 double etaOf(const SceneResources& resources, std::size_t medium) {
   return resources.opaqueOfMedium[medium] ? 1 : resources.media[medium].eta;
 }
@@ -43,7 +43,7 @@ std::vector<double> differentEtas(const SceneResources& resources) {
   return etas;
 }
 
-// Nothing diffuses in it, and all that falls on it is taken.
+// No light diffuses in it, and all light that falls on it is absorbed.
 shared::BoundaryMedium insideOfOpaque() {
   return {.diffusion = {1, 1, 1, 1},
           .sigma = {1, 1, 1, static_cast<float>(bssrdf::meanCosineInside(1))},
@@ -61,7 +61,7 @@ shared::MediumData dataOfOpaque() {
   return data;
 }
 
-// The medium as Transport::Boundary sees it: Grosjean's diffusion, as the better dipole's.
+// The medium for Transport::Boundary: Grosjean's diffusion, as in the better dipole.
 shared::BoundaryMedium insideOf(const Medium& medium) {
   const std::array<bssrdf::Profile, 3> profiles =
       bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
@@ -88,7 +88,7 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   return inside;
 }
 
-// Whether that holds for any medium that light enters, in any clip.
+// Whether `holds` is true for any medium that light enters, in any clip.
 template <typename Holds>
 bool anyInside(const SceneResources& resources, const std::vector<shared::MediumData>& media,
                const Holds& holds) {
@@ -146,7 +146,7 @@ class TableBuilder {
   bool hasOwnNormals() const { return hasOwnNormals_; }
 
  private:
-  // The first entry, for the roughnesses that surfaces of their own may have.
+  // The first entry of the tables for all roughnesses that surfaces of their own may have.
   std::uint32_t albedoByRoughness(double eta) {
     const auto known = albedoOfEta_.find(eta);
     if (known != albedoOfEta_.end()) return known->second;
@@ -159,7 +159,7 @@ class TableBuilder {
     return albedoOfEta_.emplace(eta, first).first->second;
   }
 
-  // Its number and 1.
+  // Adds a medium's paint and returns its number plus 1.
   std::uint32_t addPaint(const Medium& medium) {
     const auto channels = bssrdf::paints(medium, shared::paintEntries);
     for (std::size_t i = 0; i < shared::paintEntries; ++i) {
@@ -204,7 +204,8 @@ class TableBuilder {
   bool hasOwnNormals_ = false;
 };
 
-// Exitance that nothing visible depends on, as a part of that of the body's mean irradiance.
+// Exitance below which nothing visible depends on it, relative to that of the body's mean
+// irradiance.
 constexpr double darkestOfMean = 1e-4;
 
 void setSum(const SurfelsOfObject& surfels, const std::array<bssrdf::Profile, 3>& profiles,

@@ -15,26 +15,26 @@ class Device;
 
 namespace opaline {
 
-/// What the tables of bodies and media were made of.
+/// The tables of bodies and media as they were uploaded.
 struct TablesOnHost {
   std::vector<shared::ObjectData> objects;
   std::vector<shared::MediumData> media;
 };
 
-/// Puts what the shaders know of bodies and media on the device. It depends on the options'
-/// transport and roughness; for set-up, not for frames.
+/// Makes the shaders' tables of bodies and media on the device. They depend on the options'
+/// transport and roughness. For set-up, not for frames.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const RenderOptions& options, TablesOnHost& onHost);
 
-/// Sets what depends on the coefficients of a medium, whose index of refraction stays. Allocates
-/// nothing.
+/// Sets what depends on the coefficients of a medium; its index of refraction must not change.
+/// Allocates nothing.
 void setMedium(const Medium& medium, Transport transport, shared::MediumData& data);
 
-/// The same of an object that is made of it.
+/// The same for an object that is made of the medium.
 void setMediumOf(const SceneResources& resources, std::size_t object, const Medium& medium,
                  Transport transport, shared::ObjectData& data);
 
-/// Lobes of that roughness by the cosine of the view, reflectionLobeEntries of them.
+/// Lobes for a roughness by the cosine of the view; there are reflectionLobeEntries.
 std::vector<shared::vec4> reflectionLobes(double roughness);
 
 }  // namespace opaline

@@ -74,8 +74,8 @@ Level levelOf(const TexturePixels& pixels, TexelMeaning meaning) {
   return level;
 }
 
-/// Where an edge is halved: the texels that one is the mean of, by their shares. Of an odd number
-/// of texels each new one has parts of three.
+/// The texels that one texel of the next level averages along an edge, and their shares. If the
+/// number of texels is odd, each new one covers parts of three.
 struct Part {
   int first;
   std::array<float, 3> shares;

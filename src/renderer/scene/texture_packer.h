@@ -11,28 +11,29 @@
 
 namespace opaline {
 
-/// Puts textures with all their levels one behind the other, as half floats, linear in light.
+/// Stores textures with all their levels one after the other, as half floats that are linear in
+/// light.
 class TexturePacker {
  public:
-  /// So many texels there is room for.
+  /// `room` is the largest number of texels.
   explicit TexturePacker(std::size_t room) : room_(room) {}
 
-  /// First all that there are, so that the room is known to suffice, or by how much they must be
-  /// smaller.
+  /// Has to be called for all textures first, so that it is known how much smaller they must be to
+  /// fit.
   void announce(const std::optional<Texture>& texture, TexelMeaning meaning);
-  /// How often each edge is halved of those that are too large.
+  /// How often the edges of too large textures are halved.
   int halvings() const;
 
-  /// Only what has been announced.
+  /// Adds a texture, which has to have been announced.
   shared::TextureData add(const std::optional<Texture>& texture, TexelMeaning meaning);
 
   bool knows(const TexturePixels& pixels, TexelMeaning meaning) {
     return find(pixels, meaning) != nullptr;
   }
-  /// Once they are on the device: what is known is where they lie.
+  /// Frees the texels once they are on the device; their places stay known.
   void forgetTexels() { texels_ = {}; }
 
-  /// Of a texture that has been added.
+  /// Sets the transform of a texture that has been added.
   static void setTransform(const Texture& texture, shared::TextureData& data);
 
   struct Texel {
