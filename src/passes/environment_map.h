@@ -9,7 +9,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// An environment, latitude-longitude, with levels; smaller where the device has no images as
+/// A latitude-longitude environment with levels. It is scaled down if the device has no images that
 /// large. For set-up.
 gpu::GpuImage makeEnvironmentMap(gpu::Device& device, const Image& image);
 

@@ -7,7 +7,7 @@
 #include "passes/mechanics.h"
 #include "surfels/treelets.h"
 
-/// A tree whose nodes frames fit to the surface, in few dispatches.
+/// Trees whose nodes are fitted to the surface in every frame, in few dispatches.
 namespace opaline::passes {
 
 inline FittedTree makeFittedTree(gpu::Device& device, const surfels::Tree& tree) {
@@ -23,7 +23,7 @@ inline FittedTree makeFittedTree(gpu::Device& device, const surfels::Tree& tree)
           .nodeCount = static_cast<std::uint32_t>(tree.links.size())};
 }
 
-/// What shaders with lib/treelets.glsl need.
+/// The bindings of shaders with lib/treelets.glsl.
 inline shaders::TreeletOrder treeletOrder(FittedTree& tree) {
   return {.links = tree.links,
           .treeletNodes = tree.treeletNodes,
@@ -31,8 +31,8 @@ inline shaders::TreeletOrder treeletOrder(FittedTree& tree) {
           .levelOfTreelet = tree.levelOfTreelet};
 }
 
-/// Fits the inner nodes: calls `bind(firstTreelet, treeletCount)`, which binds a shader with
-/// lib/treelets.glsl, for each stage, and dispatches it, for so many trees of the same links.
+/// Fits the inner nodes. For each stage it calls `bind(firstTreelet, treeletCount)`, which binds a
+/// shader with lib/treelets.glsl, and dispatches that for `trees` trees of the same links.
 template <typename Bind>
 void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bind& bind,
                    std::uint32_t trees = 1) {

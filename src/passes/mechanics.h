@@ -12,10 +12,10 @@
 #include "gpu/device.h"
 #include "passes/products.h"
 
-/// What passes are put together from.
+/// Helpers that passes are made from.
 namespace opaline::passes {
 
-/// Of what shaders write, and read as storage or texels.
+/// Usage of buffers that shaders write, and read as storage or texels.
 constexpr VkBufferUsageFlags roomUsage =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 
@@ -34,7 +34,7 @@ inline std::size_t mostBytes(const VkPhysicalDeviceLimits& limits) {
                   limits.maxTexelBufferElements * (4 * sizeof(float)));
 }
 
-/// What shaders with lib/rays.glsl send rays through.
+/// The binding of the rays' hierarchy for shaders with lib/rays.glsl.
 inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
   if (hierarchy.structure) return hierarchy.structure;
   return hierarchy.boxes;
@@ -43,7 +43,8 @@ inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
 /// Invocations of a work group of shaders with lib/linear.glsl.
 constexpr std::uint32_t groupSize = 64;
 
-/// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
+/// An upper bound of the loop rounds of an invocation that walks a tree or sends a ray through one;
+/// usual are some hundreds.
 constexpr std::uint32_t roundsOfWalk = 1024;
 
 }  // namespace opaline::passes

@@ -8,11 +8,11 @@
 namespace opaline::passes {
 
 /// How shaders with lib/raster.glsl divide a picture: each work group draws some triangles within a
-/// band of rows. The fewer triangles there are, the more bands, so that all of a device has work.
+/// band of rows. Fewer triangles get more bands, so that all of a device has work.
 struct RasterBands {
   std::uint32_t groups = 0;  ///< along the triangles
   std::uint32_t count = 0;
-  std::uint32_t rows = 0;  ///< of each but the last
+  std::uint32_t rows = 0;  ///< of each band except the last
 };
 
 inline RasterBands rasterBands(std::uint32_t triangles, std::uint32_t rows) {

@@ -9,7 +9,7 @@
 
 namespace opaline::passes {
 
-/// Dispatches a shader over a list of surfaces (lib/seen_list.glsl) by its counts, all at once.
+/// Dispatches a shader over a whole list of surfaces (lib/seen_list.glsl) by its counts.
 template <typename S>
 void dispatchWhole(gpu::CommandList& commands, gpu::Buffer& counts, const gpu::Compute<S>& pipeline,
                    const typename S::Bindings& bindings, const typename S::Push& push = {}) {
@@ -18,8 +18,8 @@ void dispatchWhole(gpu::CommandList& commands, gpu::Buffer& counts, const gpu::C
   commands.dispatchIndirect(counts, 0);
 }
 
-/// Dispatches a shader that takes long for one part of such a list after the other, whose beginning
-/// it sets in the push constants.
+/// Dispatches a slow shader for each part of such a list; the push constants contain the part's
+/// beginning.
 template <typename S>
 void dispatchParts(gpu::CommandList& commands, gpu::Buffer& counts, std::uint32_t parts,
                    const gpu::Compute<S>& pipeline, const typename S::Bindings& bindings,

@@ -4,7 +4,7 @@
 
 namespace opaline::passes {
 
-/// Pipelines of a shader without code for something that most scenes do not have, and with it.
+/// Pipelines of a shader without and with code for something that most scenes do not have.
 template <typename Shader>
 struct Variants {
   gpu::Compute<Shader> without;

@@ -13,18 +13,20 @@ namespace opaline::passes {
 
 namespace {
 
-// Of trees: of sources of fluence, and of light that scatters once where some is followed that far.
+// The kinds of trees: of sources of fluence and, if light is followed to its second collision, of
+// light that scatters once.
 std::uint32_t kindsOf(const SceneTables& tables) {
   return tables.followsLight ? 2 : 1;
 }
 
-// Where a body has more nodes than lists have room for.
+// Whether a body has more nodes than lists have room for.
 bool areInParts(const Clusters& clusters) {
   return clusters.mostNodesOfBody > clusters.roomOfBeamList;
 }
 
-// Where lists are made in parts, or too many for each tile to sum up the lengths of all before its
-// own, nothing is kept; behind linings it would not be exact enough.
+// Whether coefficients can be kept. They cannot if lists are made in parts, or are too many for
+// each tile to sum the lengths of all lists before its own. Behind linings they would not be exact
+// enough.
 bool canKeep(const Clusters& clusters) {
   constexpr std::uint32_t mostGroups = 1024;
   return !clusters.haveLinings && !areInParts(clusters) && clusters.groupCount <= mostGroups;
@@ -38,7 +40,7 @@ struct BeamPass::Spreading {
   Beams& beams;
   float openingAngle;
   bool ofEverywhere;
-  std::uint32_t roomOfKept;  // of entries of lists of each kind
+  std::uint32_t roomOfKept;  // entries of the lists of each kind
 
   std::uint32_t kinds() const { return kindsOf(tables); }
   // See lib/beam_trees.glsl.
@@ -61,7 +63,7 @@ struct BeamPass::Spreading {
             .lists = clusters.beamLists,
             .objectOfNode = clusters.objectOfNode};
   }
-  // Of shaders with lib/beam_tile.glsl.
+  // Push constants of shaders with lib/beam_tile.glsl.
   template <typename Shader>
   typename Shader::Push push(std::uint32_t kind, std::uint32_t lit, const Part& part) const {
     return {.tileCount = clusters.tileCount,
@@ -245,7 +247,7 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
                  .lights = beams.lights,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .comesFromEverywhere = beam.firstLight == clusters.lights});
-  // Most end before they meet the surface.
+  // Most paths end before they meet the surface.
   commands.dispatchLinear(beams.lights * clusters.count * sharers_,
                           shared::pathsOfBeam / sharers_ * roundsOfWalk);
 }
@@ -318,7 +320,7 @@ void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Cl
                      .ofEverywhere = false,
                      .roomOfKept = 0};
   fitNodes(commands, of.ofLights(), of);
-  // In parts of each body's nodes for which lists have room.
+  // Takes each body's nodes in parts for which lists have room.
   const std::uint32_t room = clusters.roomOfBeamList;
   for (std::uint32_t from = 0; from < clusters.mostNodesOfBody; from += room) {
     listActing(commands, from, of.ofLights(), of);
@@ -326,8 +328,8 @@ void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Cl
   }
 }
 
-// What acts on what is a matter of the shape, and so are its coefficients: found once, but where
-// lists are made in parts.
+// Which nodes act on which, and by what coefficients, depends on the shape alone. So it is found
+// once, unless lists are made in parts.
 void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs,
                                 Clusters& clusters, bool adds, bool isNew) const {
   const std::uint32_t room = clusters.roomOfBeamList;
@@ -346,7 +348,7 @@ void BeamPass::spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs
   }
 }
 
-// As fluence and, where light is followed to its second collision, as what scatters once.
+// Sums fluence and, if light is followed to its second collision, light that scatters once.
 void BeamPass::sumUp(gpu::CommandList& commands, const Part& part, const Spreading& of) const {
   const bool several = of.clusters.haveSeveralMedia;
   sum(commands, source_.of(several), of.clusters.sources, part, of);

@@ -24,13 +24,13 @@ class Device;
 
 namespace opaline::passes {
 
-/// Light that enters, followed to its collisions in the body, and what these give to every cluster
-/// before any diffusion: fluence as in a medium without end, and light that leaves at once.
+/// Follows light that enters to its collisions in the body, and finds what these give every cluster
+/// before any diffusion: fluence as in an infinite medium, and light that leaves at once.
 class BeamPass {
  public:
   explicit BeamPass(gpu::Device& device);
 
-  /// Room for what is kept of light that comes from everywhere. For set-up.
+  /// Makes room for the coefficients of light from everywhere. For set-up.
   static void makeCoefficients(gpu::Device& device, Clusters& clusters);
 
   struct Inputs {
@@ -38,30 +38,30 @@ class BeamPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
-    float openingAngle;  ///< of nodes: taken from further than their radius over this
+    float openingAngle;  ///< a node is taken as a whole beyond its radius divided by this
     float openingAngleOfEverywhere;
-    bool keepsCoefficients;  ///< of what comes from everywhere, until the shape changes
+    bool keepsCoefficients;  ///< of light from everywhere, until the shape changes
   };
   struct Wanted {
     bool sky;      ///< light from everywhere is not dark
     bool bounces;  ///< recordReentry follows
-    bool isNew;    ///< the shape: what is kept of it is found
+    bool isNew;    ///< the shape is new, so its coefficients have to be found
   };
-  /// All lights and what comes from everywhere.
+  /// Records the light of all lights and the light from everywhere.
   void recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                     Clusters& clusters) const;
   struct Reentry {
     bool isFirst;
-    bool isNew;  ///< the shape, and no light has come from everywhere before
+    bool isNew;  ///< the shape is new, and no light from everywhere has been recorded for it
   };
-  /// Light that just left, `latest`, where it enters again.
+  /// Records light that just left, `latest`, as it enters again.
   void recordReentry(gpu::CommandList& commands, const Inputs& inputs, const Reentry& reentry,
                      Clusters& clusters) const;
 
  private:
   struct Beam {
     std::uint32_t firstLight;  ///< or the number of lights
-    bool mirrors;              ///< what the surface does not let in goes on
+    bool mirrors;              ///< light that the surface does not let in is mirrored
   };
   void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
              Beams& beams) const;
@@ -69,8 +69,8 @@ class BeamPass {
                 Clusters& clusters, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                      Clusters& clusters) const;
-  /// Of light that scattered once, what was mirrored inside: none yet; of the last lights or of
-  /// what comes from everywhere, added up where it leaves; and both sums, to `latest`.
+  /// Light that scattered once and was then mirrored inside: clears its sums; adds up where it
+  /// leaves, for the last lights or for light from everywhere; adds both sums to `latest`.
   static void clearGuided(gpu::CommandList& commands, const SceneTables& tables,
                           Clusters& clusters);
   void addGuided(gpu::CommandList& commands, const SceneTables& tables, bool ofEverywhere,
@@ -83,10 +83,10 @@ class BeamPass {
                     bool adds) const;
   void spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                         bool adds, bool isNew) const;
-  struct Spreading;  // of what, and by which trees
+  struct Spreading;  // light that is spread, and the trees for it
   struct Part {
-    bool isFirst;  ///< for these lights
-    bool adds;     ///< to what other light and other parts gave
+    bool isFirst;  ///< the first for these lights
+    bool adds;     ///< adds to the results of other light and other parts
   };
   void sumUp(gpu::CommandList& commands, const Part& part, const Spreading& of) const;
   template <typename Shader>
@@ -96,7 +96,7 @@ class BeamPass {
   template <typename Shader>
   void findCoefficients(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline,
                         const Spreading& of) const;
-  struct Trees {  // that follow each other
+  struct Trees {  // consecutive trees
     std::uint32_t first;
     std::uint32_t count;
   };
@@ -104,12 +104,12 @@ class BeamPass {
                   const Spreading& of) const;
   void fitNodes(gpu::CommandList& commands, const Trees& trees, const Spreading& of) const;
 
-  /// Where nothing is painted, or no body has a lining, the shader has no code for it.
+  /// Variants without code for paint, or for linings, if the scene has none.
   static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
 
-  VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< by paint, then linings
-  std::uint32_t sharers_;  ///< invocations among which the paths of a beam are divided
-  Variants<shaders::BoundarySecondCollisions> followOn_;  ///< by linings
+  VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< indexed by paint, then linings
+  std::uint32_t sharers_;                        ///< invocations that share the paths of a beam
+  Variants<shaders::BoundarySecondCollisions> followOn_;  ///< indexed by linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryGuided> addGuided_;
@@ -117,8 +117,9 @@ class BeamPass {
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
   gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
   gpu::Compute<shaders::BoundaryBeamGroups> acting_;
-  Variants<shaders::BoundarySource> source_;         ///< by bodies of several media, as the next
-  Variants<shaders::BoundarySingle> singleForward_;  ///< where a medium does not scatter evenly
+  Variants<shaders::BoundarySource> source_;  ///< indexed by bodies of several media, like the next
+  Variants<shaders::BoundarySingle> singleForward_;  ///< for media that do not scatter
+                                                     ///< isotropically
   gpu::Compute<shaders::BoundarySingle> singleEven_;
   Variants<shaders::BoundarySourceCoefficients> sourceCoefficients_;
   Variants<shaders::BoundarySingleCoefficients> singleForwardCoefficients_;

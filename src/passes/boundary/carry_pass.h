@@ -18,8 +18,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Brings what boundary transport found at clusters to vertices and visible pixels: the exitance of
-/// a half-space that is there already, corrected by the difference that clusters have on the mean.
+/// Carries the results of boundary transport from clusters to vertices and visible pixels. It
+/// corrects a half-space's exitance there by the mean difference that clusters have from it.
 class CarryPass {
  public:
   explicit CarryPass(gpu::Device& device);
@@ -34,14 +34,14 @@ class CarryPass {
 
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                     Clusters& clusters, const Places& vertices, gpu::Buffer& origins) const;
-  /// Of painted bodies, what is below the paint.
+  /// For painted bodies, the exitance is that below the paint.
   void overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                      Asked asked, const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
   gpu::Compute<shaders::BoundaryPatches> patches_;
-  std::array<gpu::Compute<shaders::BoundaryMeans>, 3> means_;  ///< by From
+  std::array<gpu::Compute<shaders::BoundaryMeans>, 3> means_;  ///< indexed by From
   gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
   Variants<shaders::BoundaryCarryFragments> fragments_;
 };

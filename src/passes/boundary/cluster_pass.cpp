@@ -26,17 +26,17 @@ std::uint32_t mostNodesOfBody(const surfels::ClusterDivision& made) {
   return most;
 }
 
-// Room of a list of nodes that act on a group. Bodies of more nodes are summed in several
-// dispatches, so that the lists of all groups take no more than 96 MiB.
+// Room of a group's list of nodes that act on it. Bodies of more nodes are summed in several
+// dispatches, so that all lists together take at most 96 MiB.
 std::uint32_t roomOfBeamList(std::uint32_t nodes, std::size_t groups) {
   constexpr std::size_t ofAll = std::size_t{3} << 23U;
   const std::size_t ofOne = ofAll / std::max<std::size_t>(groups, 1);
   return std::min(nodes, static_cast<std::uint32_t>(std::clamp<std::size_t>(ofOne, 64, 16384)) - 1);
 }
 
-// Room of a tile's interaction list. Where many thin parts lie beside each other, thousands of
-// nodes act on a tile, and it takes twice as long to find them again in each step of the solver as
-// to keep them. Lists that are longer than the least take no more than 16 MiB.
+// Room of a tile's interaction list. With many thin parts beside each other, thousands of nodes act
+// on a tile, and finding them again in each step of the solver takes twice as long as keeping them.
+// Lists beyond the least length take at most 16 MiB.
 std::uint32_t roomOfList(std::uint32_t nodes, std::size_t tiles) {
   constexpr std::size_t ofAll = std::size_t{1} << 22U;
   const std::size_t ofOne = ofAll / std::max<std::size_t>(tiles, 1);
@@ -44,7 +44,7 @@ std::uint32_t roomOfList(std::uint32_t nodes, std::size_t tiles) {
   return static_cast<std::uint32_t>(std::min<std::size_t>(room, std::size_t{nodes} + 1));
 }
 
-// Rays of a cluster that ask what it sees.
+// Rays by which a cluster finds what it sees.
 constexpr std::uint32_t raysOutwards = 48;
 
 constexpr VkBufferUsageFlags clusterBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -70,7 +70,8 @@ std::uint32_t mostOf(const std::map<std::uint32_t, double>& counts) {
   return std::max_element(counts.begin(), counts.end(), less)->first;
 }
 
-// Where it is of several objects of one body, the one that has most of its area.
+// The object of a cluster: of several objects of one body, the one with the largest part of its
+// area.
 std::uint32_t objectOfMost(const core::RestSurface& surface,
                            std::span<const surfels::Piece> pieces) {
   std::map<std::uint32_t, double> areas;
@@ -109,7 +110,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
   return ranges;
 }
 
-// That of the front.
+// The cluster of every surfel; of two, that of the front.
 std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made,
                                            std::uint32_t surfels) {
   std::vector<std::uint32_t> cluster(surfels);
@@ -131,7 +132,7 @@ std::vector<shared::ClusterTile> tilesOf(const std::vector<shared::ClusterRange>
   return tiles;
 }
 
-// Of each node of the clusters' tree, the object of most clusters below it.
+// For each node of the clusters' tree, the object of most clusters below it.
 std::vector<std::uint32_t> objectsOfNodes(const surfels::ClusterDivision& made,
                                           const std::vector<shared::ClusterRange>& ranges) {
   std::vector<std::uint32_t> objects;
@@ -147,7 +148,7 @@ std::vector<std::uint32_t> objectsOfNodes(const surfels::ClusterDivision& made,
   return objects;
 }
 
-// Of the clusters of one body.
+// Whether the clusters of any body have several media.
 bool haveSeveralMedia(const surfels::ClusterDivision& made,
                       const std::vector<shared::ClusterRange>& ranges) {
   for (std::size_t body = 0; body + 1 < made.firstOfObject.size(); ++body)
@@ -168,7 +169,7 @@ void tellTiles(const std::vector<shared::ClusterTile>& tiles,
   }
 }
 
-// Tells tiles which they belong to.
+// Makes groups of tiles and tells each tile its group.
 std::vector<shared::ClusterGroup> groupsOf(std::vector<shared::ClusterTile>& tiles) {
   std::vector<shared::ClusterGroup> groups;
   for (shared::ClusterTile& tile : tiles) {
@@ -181,7 +182,7 @@ std::vector<shared::ClusterGroup> groupsOf(std::vector<shared::ClusterTile>& til
   return groups;
 }
 
-// By their number of clusters, so that neighbours take equally long.
+// Inner nodes, ordered by their number of clusters, so that neighbours take equally long.
 std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made,
                                             const std::vector<shared::ClusterRange>& ranges) {
   const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
@@ -213,7 +214,7 @@ Beams makeBeams(gpu::Device& device, const std::string& from, std::size_t beams)
       makeRoom<shared::Guided>(device, name("guided light"), shared::pathsOfBeam * beams)};
 }
 
-// Lights whose points of light are found and summed together, where their buffer may be that large.
+// How many lights' points are found and summed together, as far as buffers may be that large.
 std::uint32_t lightsAtOnce(const gpu::Device& device, std::uint32_t clusters) {
   constexpr std::size_t most = 2;
   const std::size_t ofOne = sizeof(shared::BeamPoint) * shared::maxPoints * clusters;
@@ -289,7 +290,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.fromLights.room = lights;
   clusters.fromEverywhere = makeBeams(device, "everywhere", count);
   clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count * lights);
-  // Each frame leaves these at 0 again.
+  // Each frame resets these to 0 itself.
   const auto zeros = [&](const char* name, std::size_t words) {
     return gpu::makeBuffer(device, name, std::vector<std::uint32_t>(words, 0), clusterBuffer);
   };

@@ -21,15 +21,15 @@ class Device;
 
 namespace opaline::passes {
 
-/// What the parts of a scene are to boundary transport.
+/// The roles of a scene's parts in boundary transport.
 struct BodyKinds {
   std::vector<bool> triangleHasInside;  ///< of all objects
   std::vector<bool> objectIsOpaque;
-  std::uint32_t firstLining = ~0U;  ///< from that triangle on all are of linings
+  std::uint32_t firstLining = ~0U;  ///< first triangle of the linings, which come last
 };
 
-/// The places at which boundary transport is solved, as they are in this frame: shape, light that
-/// enters, how thick the body is and what of the scene they see.
+/// Updates the places at which boundary transport is solved for a frame: their shape, the light
+/// that enters, the body's thickness and what they see of the scene.
 class ClusterPass {
  public:
   explicit ClusterPass(gpu::Device& device);
@@ -46,11 +46,11 @@ class ClusterPass {
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
-    bool looksAround;    ///< else each sees all of the sky and nothing else
+    bool looksAround;    ///< else each cluster sees all of the sky and nothing else
   };
-  /// Where they lie, and what acts on which.
+  /// Records where clusters lie, and which nodes act on which.
   void recordShape(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
-  /// How thick the body is, and what of the scene they see.
+  /// Records how thick the body is, and what clusters see of the scene.
   void recordSurvey(gpu::CommandList& commands, const ShapeInputs& inputs,
                     Clusters& clusters) const;
 
@@ -61,10 +61,10 @@ class ClusterPass {
     Sky& sky;
     Surfels& surfels;
     std::uint32_t lights;  ///< of all kinds
-    bool areaLights;       ///< there are some
+    bool areaLights;       ///< there are area lights
     bool skyIsDark;
   };
-  /// The light that enters.
+  /// Records the light that enters.
   void recordEntries(gpu::CommandList& commands, const EntryInputs& inputs,
                      Clusters& clusters) const;
 
@@ -76,7 +76,7 @@ class ClusterPass {
 
   gpu::Sampler linear_;
   gpu::Compute<shaders::BoundaryClusters> gather_;
-  VariantsOfTwo<shaders::BoundaryEntries> entries_;  ///< by area lights and normal textures
+  VariantsOfTwo<shaders::BoundaryEntries> entries_;  ///< indexed by area lights and normal textures
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
   gpu::Compute<shaders::BoundarySurvey> survey_;

@@ -11,8 +11,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Adds the sky's light to what surfels have gathered of lights: as much as the clusters around
-/// see.
+/// Adds the sky's light to what surfels have gathered of lights, as far as the clusters around them
+/// see the sky.
 class OccludedSkyPass {
  public:
   explicit OccludedSkyPass(gpu::Device& device);

@@ -32,7 +32,7 @@ glm::vec4 cornerAt(const core::RestSurface& surface, const surfels::Piece& piece
   return place;
 }
 
-// Corners only: what else a RayPiece has, frames write.
+// Sets only the corners; frames write the other members of a RayPiece.
 std::vector<shared::RayPiece> piecesAt(const surfels::SurfelDivision& made,
                                        const core::RestSurface& surface) {
   std::vector<shared::RayPiece> pieces;

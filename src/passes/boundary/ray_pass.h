@@ -16,26 +16,26 @@ class Device;
 
 namespace opaline::passes {
 
-/// Makes the surface as it lies in this frame something that shaders send rays through: the pieces
-/// of surfels where they are and, around them, boxes on the surfels' tree or the device's own
-/// acceleration structure, refitted. See lib/rays.glsl.
+/// Prepares the surface of a frame for rays of shaders: the pieces of surfels and, around them,
+/// boxes on the surfels' tree or the device's refitted acceleration structure. See lib/rays.glsl.
 class RayPass {
  public:
   explicit RayPass(gpu::Device& device);
 
-  /// For set-up, not for frames. Boxes alone, for whoever looks for places.
+  /// For set-up, not for frames. Makes only boxes, for searches of places.
   static RayHierarchy makeBoxes(gpu::Device& device, const Surfels& surfels);
-  /// For rays: with an acceleration structure of the rest pose where the device has ray queries.
-  /// What was divided together is one body, with the name of its first object if that is given.
+  /// Makes a hierarchy for rays, with an acceleration structure of the rest pose if the device has
+  /// ray queries. What was divided together is one body, named after its first object if that is
+  /// given.
   static RayHierarchy makeHierarchy(gpu::Device& device, const Surfels& surfels,
                                     const surfels::SurfelDivision& made,
                                     const core::RestSurface& rest,
                                     std::span<const std::uint32_t> firstObjectOfBody = {});
 
-  /// Boxes only where there is no acceleration structure.
+  /// Records pieces and the acceleration structure or, without one, boxes.
   void record(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
               RayHierarchy& hierarchy) const;
-  /// The boxes that `record` of this pose has left out.
+  /// Records the boxes that record() left out for this pose.
   void recordBoxes(gpu::CommandList& commands, Surfels& surfels, RayHierarchy& hierarchy) const;
 
  private:

@@ -18,12 +18,13 @@ std::uint32_t densityGroups(const Clusters& clusters) {
          clusters.smallInnerCount;
 }
 
-// A member of the solution's state, among those of all.
+// The offset of a member of the solution's state among all states.
 std::size_t inState(const SolverPass::Order& order, std::size_t member) {
   return order.solution * sizeof(shared::SolverState) + member;
 }
 
-// Of nodes, for each tile. On the bunny of marble 700 act on a tile on average, and 1120 at most.
+// Nodes per tile whose coefficients are kept. On the marble bunny, 700 nodes act on a tile on
+// average and at most 1120.
 std::uint32_t roomOfCoefficients(const gpu::Device& device, const Clusters& clusters) {
   constexpr std::size_t mostBytesOfAll = std::size_t{64} << 20U;
   const std::size_t texels =
@@ -59,7 +60,7 @@ SolverPass::Pipelines SolverPass::makePipelines(gpu::Device& device, bool withPa
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
-  // There are no more vectors than that in the basis when densities are found.
+  // When densities are found, the basis has at most that many vectors.
   const std::size_t nodes = std::size_t{clusters.tree.nodeCount} * shared::maxSolverSteps;
   const std::size_t count = clusters.count;
   Solver solver;
@@ -69,7 +70,7 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
       makeRoom<shared::vec4>(device, "basis of the solver", count * (shared::maxSolverSteps + 1));
   solver.sums = makeRoom<shared::vec4>(
       device, "sums of the solver", std::size_t{clusters.tileCount} * (shared::maxSolverSteps + 1));
-  // Each step leaves the count of tiles that it needs to be 0 at 0 again.
+  // Each step resets the count of tiles, which has to start at 0.
   solver.states =
       gpu::makeBuffer(device, "states of the solver",
                       std::vector<shared::SolverState>(solutions, shared::SolverState{}),
@@ -110,7 +111,7 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
   if (entersAtSurface(order, tables))
     findDensities(commands, order, Of::Entered, tables, clusters, solver);
   multiply(commands, order, 0, tables, clusters, solver);
-  // There are no more directions than clusters; one step more may take off some rounding.
+  // There are no more directions than clusters; one more step may reduce rounding errors.
   const std::uint32_t steps = std::min({order.steps, shared::maxSolverSteps, clusters.count + 1});
   for (std::uint32_t step = 1; step <= steps; ++step) {
     findDensities(commands, order, Of::Basis, tables, clusters, solver);
@@ -157,7 +158,8 @@ void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
   commands.endPass();
 }
 
-// Of the vector that the last product adds to the basis, or of diffuse light at the surface.
+// Finds the densities of the vector that the last product adds to the basis, or of diffuse light at
+// the surface.
 void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, Of of,
                                SceneTables& tables, Clusters& clusters, Solver& solver) const {
   commands.bind(pipelines(tables).densities.of(clusters.haveLinings),
@@ -189,8 +191,8 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
   }
 }
 
-// The operator on the last vector of the basis, or in step 0 the right side; then what that says of
-// the solution.
+// Applies the operator to the last vector of the basis, or in step 0 makes the right-hand side,
+// then updates the solution's state.
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const bool atSurface = step == 0 && entersAtSurface(order, tables);

@@ -14,14 +14,14 @@ class Device;
 
 namespace opaline::passes {
 
-/// Moves every vertex to where it is in this frame: morph targets, skinning, procedural deformers;
-/// makes normals anew where none follow; finds the box around all.
+/// Moves every vertex to its place in this frame by morph targets, skinning and deformers;
+/// recomputes normals that do not follow; finds the box around all vertices.
 class DeformPass {
  public:
   explicit DeformPass(gpu::Device& device);
 
   /// Copies a buffer of floats in which positions lie `stride` floats apart, from the float
-  /// `offset` on, to where the frame reads given positions: `count` of them from vertex `first` on.
+  /// `offset` on, to where the frame reads given positions, for `count` vertices from `first` on.
   void replace(gpu::CommandList& commands, gpu::Buffer& given, std::uint32_t offset,
                std::uint32_t stride, std::uint32_t first, std::uint32_t count, const Vec3& originMm,
                Motion& motion) const;

@@ -7,7 +7,7 @@ namespace opaline::passes {
 
 namespace {
 
-// Of an invocation, most of which need the first few only.
+// Rays of an invocation; most need only the first few.
 constexpr std::uint32_t usualRays = 16;
 
 }  // namespace

@@ -25,10 +25,10 @@ class AreaLightPass {
     DeformedMesh& mesh;
     SceneTables& tables;
     RayHierarchy& rays;       ///< of this pose
-    std::uint32_t first = 0;  ///< of the frame's lights, that is one
+    std::uint32_t first = 0;  ///< the first area light among the frame's lights
     std::uint32_t end = 0;
   };
-  /// Leaves what is visible of each light in Surfels::visibilities, where there is room for it.
+  /// Leaves the visibility of each light in Surfels::visibilities, if there is room for it.
   void record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
 
  private:

@@ -13,7 +13,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// Fits shadow views and near plane to the box around the surface as it is in this frame.
+/// Fits shadow views and near plane to the box around this frame's surface.
 class FitPass {
  public:
   explicit FitPass(gpu::Device& device);

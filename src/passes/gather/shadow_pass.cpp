@@ -17,7 +17,7 @@ gpu::GraphicsOptions ofDepth() {
   return {.depthFormat = VK_FORMAT_D32_SFLOAT, .depth = gpu::DepthMode::Write};
 }
 
-// Of maps that invocations have drawn and that are not copied yet.
+// The most memory for maps that invocations draw before they are copied.
 constexpr std::size_t mostDrawnBytes = std::size_t{64} << 20U;
 
 }  // namespace
@@ -56,7 +56,7 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
   return made;
 }
 
-// Several views at once, as many as there is room for.
+// Draws several views at once, as many as there is room for.
 void ShadowPass::recordByInvocations(gpu::CommandList& commands, FrameView& frame,
                                      DeformedMesh& mesh, const ShadowViews& wanted,
                                      ShadowMaps& maps) const {
@@ -114,7 +114,7 @@ void ShadowPass::draw(gpu::CommandList& commands, FrameView& frame, DeformedMesh
   commands.use(mesh.indices, gpu::Access::Index);
   for (std::uint32_t view = 0; view < views.size(); ++view) {
     if (!views[view]) continue;
-    // What it reads is ordered before the drawing begins.
+    // Bound before drawing begins, because barriers cannot stand inside.
     if (!mesh.cutOut.empty()) bindCutOut(commands, frame, mesh, cutOuts, view);
     commands.bind(pipeline_, {.frame = frame.data, .positions = mesh.positions}, {},
                   {.view = view});

@@ -21,8 +21,8 @@ class ShadowPass {
  public:
   explicit ShadowPass(gpu::Device& device);
 
-  /// `views` maps of that size; one even without lights, so that there is something to bind.
-  /// `cutOut`: some surfaces have holes.
+  /// Makes `views` maps of that size, at least one so that it can be bound. `cutOut`: some surfaces
+  /// have holes.
   static ShadowMaps makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views,
                              bool cutOut);
 

@@ -45,7 +45,7 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
   return packed;
 }
 
-// Among those of the mesh.
+// For each piece, its triangle of the mesh.
 std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made,
                                        const surfels::Linings& linings) {
   std::vector<std::uint32_t> triangles;
@@ -128,7 +128,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
 
 void SurfelPass::makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels) {
   const std::size_t words = std::size_t{lights} * surfels.piecesPerSurfel * surfels.count;
-  surfels.visibilities = {};  // before memory for the next is taken
+  surfels.visibilities = {};  // freed before memory for the next is allocated
   surfels.visibilities =
       gpu::Buffer(device, {.name = "visibility on surfels",
                            .bytes = std::max<std::size_t>(words, 1) * sizeof(std::uint32_t),

@@ -28,7 +28,7 @@ class SurfelPass {
                              const core::RestSurface& surface, bool keepsTriangles = false,
                              const surfels::Linings& linings = {});
 
-  /// For the visibility of so many. For set-up, not for frames.
+  /// Makes room for the visibility of that many lights. For set-up, not for frames.
   static void makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels);
 
   struct Inputs {
@@ -37,11 +37,11 @@ class SurfelPass {
     SceneTables& tables;
     ShadowMaps& shadows;
     Sky& sky;
-    bool keepsVisibility;  ///< of lights, for which there is room
-    bool takesSky;         ///< all of it; else OccludedSkyPass adds what is seen
+    bool keepsVisibility;  ///< keeps that of lights, for which there is room
+    bool takesSky;         ///< takes all of the sky; else OccludedSkyPass adds the visible part
   };
   void gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
-  /// After all irradiance is there; leaves first.
+  /// Fits the tree, leaves first. Has to come after all irradiance has been gathered.
   void fitTree(gpu::CommandList& commands, Surfels& surfels) const;
 
  private:

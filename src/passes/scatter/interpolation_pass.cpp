@@ -8,7 +8,7 @@ namespace opaline::passes {
 
 namespace {
 
-// A work group has a square of blocks.
+// Each work group processes a square of blocks.
 void dispatchBlocks(gpu::CommandList& commands, std::uint32_t rows,
                     const VisibleSurfaces& surfaces) {
   constexpr std::uint32_t width = shared::widthOfBlock * shared::blocksOfGroup;

@@ -15,9 +15,9 @@ class Device;
 
 namespace opaline::passes {
 
-/// Which surfaces that pixels see need a sum of their own. In blocks of 8×8 or 4×4 pixels that one
-/// smooth surface fills, light is interpolated between knots, where it changes evenly from each to
-/// the next.
+/// Finds the visible surfaces that need a sum of their own. In blocks of 8×8 or 4×4 pixels that one
+/// smooth surface fills, light is interpolated between knots if it changes evenly from each to the
+/// next.
 class InterpolationPass {
  public:
   explicit InterpolationPass(gpu::Device& device);
@@ -31,13 +31,13 @@ class InterpolationPass {
     float tolerance = 0.01F;  ///< of the sums
   };
 
-  /// Lists where light is summed first: with `interpolates` not between knots.
-  /// Surfaces whose light is summed at vertices get what those have. `samples` are of a pixel.
+  /// Lists the surfaces where light is summed first; with `interpolates`, not those between knots.
+  /// Surfaces whose light is summed at vertices get the vertices' light. `samples` are per pixel.
   void listKnots(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t samples,
                  bool interpolates, const SeenSurfaces& seen) const;
   enum class Blocks : std::uint32_t { Narrow = 0, Wide = 1 };
-  /// After the sums there, first of wide blocks, then of narrow ones. Lists the surfaces in them
-  /// that need sums all the same.
+  /// Interpolates after the sums at knots, first in wide blocks, then in narrow ones. Lists the
+  /// surfaces in them that still need sums.
   void interpolate(gpu::CommandList& commands, const Inputs& inputs, Blocks blocks,
                    const SeenSurfaces& seen) const;
 

@@ -35,9 +35,9 @@ class NearbyPass {
  private:
   struct Pipelines {
     gpu::Compute<shaders::ScatterNearbyVertices> vertices;
-    Variants<shaders::ScatterNearby> fragments;  ///< by normal textures
+    Variants<shaders::ScatterNearby> fragments;  ///< indexed by normal textures
   };
-  /// Where nothing is painted the shaders have no code for it.
+  /// Variants without code for paint and with it.
   struct PerTransport {
     Pipelines plain;
     Pipelines painted;

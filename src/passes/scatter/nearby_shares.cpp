@@ -10,8 +10,8 @@ namespace opaline::passes {
 
 namespace {
 
-// Of the smoothed profile over the ring between two radii, mm, by Simpson's rule: nothing in it is
-// narrower than the reach over a few.
+// The integral of the smoothed profile over the ring between two radii, mm, by Simpson's rule. The
+// profile has no detail much narrower than the reach.
 template <typename Weight>
 double smoothedRing(const bssrdf::Profile& profile, double reachMm, double fromMm, double toMm,
                     const Weight& weightOf) {

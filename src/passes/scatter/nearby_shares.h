@@ -4,13 +4,13 @@
 
 namespace opaline::passes {
 
-/// What sums over coarse sources lack on a plane in even light, over a disc and two rings
-/// (shaders/shared/nearby.h), parts of the irradiance.
+/// What sums over coarse sources lack on a plane in even light, within a disc and two rings
+/// (shaders/shared/nearby.h), as parts of the irradiance.
 struct NearbyShares {
   double disc = 0;
   double innerRing = 0;
   double outerRing = 0;
-  double kept = 0;  ///< what they give, by shared::nearbyWeight
+  double kept = 0;  ///< what the sums contain, by shared::nearbyWeight
 };
 
 /// `reachMm` > 0.

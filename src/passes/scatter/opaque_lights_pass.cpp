@@ -8,10 +8,10 @@ namespace opaline::passes {
 
 namespace {
 
-// As scatter/opaque_area_lights.comp has them.
+// The rounds of scatter/opaque_area_lights.comp.
 enum Round : std::uint32_t { AskingFirst, Comparing, AskingAgain, Averaging, Summing };
 
-// To each light, as scatter/opaque_area_vertices.comp sends them.
+// Rays to each light that scatter/opaque_area_vertices.comp sends.
 constexpr std::uint32_t raysOfVertex = 16;
 
 }  // namespace

@@ -14,8 +14,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Light of area lights on opaque bodies, with soft shadows by rays. It is added to what OpaquePass
-/// has found.
+/// Light of area lights on opaque bodies, with soft shadows by rays. It is added to the light that
+/// OpaquePass found.
 class OpaqueLightsPass {
  public:
   explicit OpaqueLightsPass(gpu::Device& device);
@@ -28,12 +28,13 @@ class OpaqueLightsPass {
     std::uint32_t areaLights;  ///< how many
   };
 
-  /// Where the site is the vertices.
+  /// Sums at vertices, for objects whose site they are.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                     const Places& vertices) const;
-  /// Of surfaces the side that pixels see, or the other one of those that let light through.
+  /// The side of surfaces that pixels see, or the other side of those that let light through.
   enum class Side { Seen, Other };
-  /// Where it is the fragments. What falls on the other side goes to SeenMaterial::behind.
+  /// Sums at fragments, for objects whose site they are. Light on the other side goes to
+  /// SeenMaterial::behind.
   void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site, Side side,
                      std::uint32_t firstRow, const SeenSurfaces& seen) const;
 

@@ -16,9 +16,9 @@ class Device;
 
 namespace opaline::passes {
 
-/// Light on opaque bodies, and what they give back of it. Places find what comes from lights with
-/// shadow maps by themselves, and OpaqueLightsPass what comes from area lights; clusters find the
-/// rest, and what they send to each other.
+/// Light on opaque bodies, and the light that they reflect. Vertices and fragments find the light
+/// of lights with shadow maps themselves, and OpaqueLightsPass that of area lights. Clusters find
+/// the rest, and the light that they send to each other.
 class OpaquePass {
  public:
   explicit OpaquePass(gpu::Device& device);
@@ -29,29 +29,30 @@ class OpaquePass {
     ShadowMaps& shadows;
   };
 
-  /// Takes pieces away where opaque bodies have holes. For set-up.
+  /// Removes pieces where opaque bodies have holes. For set-up.
   void cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
               SceneTables& tables) const;
-  /// SceneTables::opaqueShares, once the rest of the tables is there; no more than what is bound
-  /// all the same where there are not `any` opaque materials. For set-up.
+  /// Makes SceneTables::opaqueShares once the other tables exist. Without `any` opaque materials,
+  /// they are a minimal buffer that can be bound. For set-up.
   void makeShares(gpu::Device& device, DeformedMesh& mesh, Surfels& surfels, Clusters& clusters,
                   OpaqueTables& opaque, bool any, SceneTables& tables) const;
-  /// The same again in a frame, where materials have changed.
+  /// Updates them in a frame in which materials have changed.
   void recordShares(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
                     Clusters& clusters, OpaqueTables& opaque, SceneTables& tables) const;
 
-  /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
-  /// not followed. As boundary/opaque.comp has it.
+  /// The light that clusters find: from lights and sky, from other clusters, or from bounces that
+  /// are not followed. See boundary/opaque.comp.
   enum class From { Lights, Clusters, FurtherBounces };
   void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from, int bounces,
                     Clusters& clusters) const;
-  /// Where the site is the vertices; none elsewhere.
+  /// Finds light at vertices of objects whose site they are; elsewhere it is 0.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                     const Places& vertices) const;
-  /// And what the surfaces are made of.
+  /// Finds light at fragments, and the materials of their surfaces.
   void overFragments(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
                      ScatterSite site, const SeenSurfaces& seen) const;
-  /// All light on the other side of what lets light through, but that of area lights.
+  /// Finds all light on the other side of surfaces that let light through, except that of area
+  /// lights.
   void behindFragments(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                        const SeenSurfaces& seen) const;
 

@@ -14,21 +14,20 @@ class Device;
 
 namespace opaline::passes {
 
-/// Absorbing layers on translucent bodies, which light crosses as it enters and as it leaves.
-/// Between the two, boundary transport knows of them by PaintTables::clusters.
+/// Absorbing layers on translucent bodies, which light crosses as it enters and as it leaves. In
+/// between, boundary transport takes them from PaintTables::clusters.
 class PaintPass {
  public:
   explicit PaintPass(gpu::Device& device);
 
-  /// What PaintTables has of surfels and clusters, once the rest of the tables is there. For
-  /// set-up.
+  /// Makes the tables of surfels and clusters in PaintTables once the others exist. For set-up.
   void makeTables(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& textures,
                   SceneTables& tables) const;
 
-  /// Of light that surfels have gathered, leaves what gets in.
+  /// Reduces the light that surfels have gathered to the part that passes the paint.
   void overSources(gpu::CommandList& commands, PaintTables& paint, Surfels& surfels) const;
-  /// From the exitance that seen surfaces would have without a layer to leave through to what
-  /// leaves. `carried`: by CarryPass.
+  /// Turns the exitance below the paint of seen surfaces into what leaves through it. `carried`:
+  /// CarryPass made it.
   void overFragments(gpu::CommandList& commands, SceneTables& tables, OpaqueTables& textures,
                      bool carried, const SeenSurfaces& seen) const;
 

@@ -13,13 +13,14 @@ namespace opaline::passes {
 
 namespace {
 
-// Surfaces that a band's list has room for, if a band is no less than a row of tiles. Most pixels
-// see one or none, so that a list is rarely as long. What is known of opaque ones is large.
+// Room of a band's list in surfaces, unless a single row of tiles needs more. Most pixels see one
+// surface or none, so lists are rarely that long. Entries of opaque surfaces are larger.
 constexpr std::uint32_t surfacesOfBand = 1U << 22U;
 constexpr std::uint32_t surfacesOfOpaqueBand = 1U << 20U;
 constexpr std::uint32_t tile = 8;
 
-// Pixels of samples up to which each sample has a depth of its own, and none waits for another.
+// The largest number of samples in a picture for which every sample has its own depth, so that none
+// waits for another.
 constexpr std::uint64_t mostWithDepths = std::uint64_t{1} << 24U;
 
 std::uint32_t depthsOf(VkExtent2D extent, std::uint32_t samples) {
@@ -49,13 +50,13 @@ gpu::GraphicsOptions ofWords(std::uint32_t samples = 1) {
           .samples = static_cast<VkSampleCountFlagBits>(samples)};
 }
 
-// Of the pipelines that draw several samples at once.
+// Index of the pipeline that draws several samples at once.
 std::size_t pipelineFor(std::uint32_t samples) {
   return static_cast<std::size_t>(std::countr_zero(samples)) - 1;
 }
 
-// Whether the device draws so many samples of a pixel at once, at the places that samplePattern()
-// has.
+// Whether the device can draw that many samples of a pixel at once, at the places of
+// samplePattern().
 bool drawsAtOnce(const gpu::Device& device, std::uint32_t samples) {
   const VkSampleCountFlags able = gpu::sampleCountsOf(device, formatOfWords, usageOfDrawn) &
                                   gpu::sampleCountsOf(device, formatOfDepth, usageOfDepth);
@@ -130,7 +131,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   }
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
-  // Whole tiles: a work group fills up its last subgroup.
+  // Whole tiles, because a work group fills up its last subgroup.
   const std::uint32_t room = tile * tilesFor(extent.width) * made.rowsOfBand * samples;
   made.parts = (room + shared::seenOfPart - 1) / shared::seenOfPart;
   made.mixed = makeRoom<std::uint32_t>(device, "pixels of several triangles", pixels);
@@ -253,7 +254,7 @@ void SurfacePass::drawByInvocations(gpu::CommandList& commands, const SeenSurfac
 void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                        std::span<const shared::vec2> samples, Beside beside) const {
   VisibleSurfaces& surfaces = seen.surfaces;
-  // Of holes, of lights and of what is behind surfaces every sample has to be asked.
+  // Holes, lights and a backdrop have to be tested for every sample.
   const auto count = static_cast<std::uint32_t>(samples.size());
   surfaces.drawnAtOnce =
       (surfaces.nearest || (surfaces.drawn && surfaces.drawn.options().samples == count)) &&
@@ -270,7 +271,7 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, con
   commands.endPass();
 }
 
-// Binds what lists pixels of several triangles.
+// Binds the shader that lists pixels of several triangles.
 void SurfacePass::bindSeen(gpu::CommandList& commands, const SeenSurfaces& seen,
                            std::uint32_t firstRow, std::uint32_t samples) const {
   VisibleSurfaces& surfaces = seen.surfaces;

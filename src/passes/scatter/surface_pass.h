@@ -28,29 +28,30 @@ class Device;
 namespace opaline::passes {
 
 /// Finds what the camera sees: draws the triangles for every antialiasing sample, and lists the
-/// surfaces that the samples of each pixel see. Sums and shading are spent on those alone.
+/// surfaces that the samples of each pixel see. Only these get sums and shading.
 class SurfacePass {
  public:
   explicit SurfacePass(gpu::Device& device);
 
-  /// Throws Error where the picture is too large for the device.
+  /// Throws Error if the picture is too large for the device.
   static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent, std::uint32_t samples,
                                       KeptOfSeen kept);
 
-  /// What else a picture shows than surfaces.
+  /// What a picture shows besides surfaces.
   struct Beside {
-    bool backdrop = false;  ///< something is wanted of samples that see none
-    bool lights = false;    ///< there may be some that hide the surface; they are a backdrop too
+    bool backdrop = false;  ///< samples that see no surface show something
+    bool lights = false;    ///< visible lights may hide surfaces; they need a backdrop, too
   };
-  /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
+  /// `samples`: offsets from the pixel's centre, pixels; several have to be those of
+  /// shared::FrameData.
   void draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
             std::span<const shared::vec2> samples, Beside beside) const;
 
-  /// Of a band of the picture that starts at that row, after draw() with as many samples.
+  /// Lists the surfaces of the band that starts at `firstRow`, after draw() with as many samples.
   void list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
             std::uint32_t samples) const;
 
-  /// Of a band that is listed already: nothing on the list has been asked for its sum.
+  /// Clears the lists of Asked for a band that is already listed.
   static void askAnew(gpu::CommandList& commands, VisibleSurfaces& surfaces);
 
  private:
@@ -68,7 +69,7 @@ class SurfacePass {
   gpu::Sampler nearest_;
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
   std::array<gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag>, 3>
-      atOnce_;  // of 2, 4 and 8 samples
+      atOnce_;  // for 2, 4 and 8 samples
   gpu::Graphics<shaders::ScatterCutoutSurfaceVert, shaders::ScatterCutoutSurfaceFrag> cutOut_;
   gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
@@ -79,7 +80,7 @@ class SurfacePass {
   gpu::Compute<shaders::ScatterListedSurfaces> listed_;
 };
 
-/// Calls `record(firstRow)` for one band of the picture after the other.
+/// Calls `record(firstRow)` for each band of the picture.
 template <typename Record>
 void forEachBand(const VisibleSurfaces& surfaces, const Record& record) {
   const std::uint32_t rows = surfaces.words.extent().height;

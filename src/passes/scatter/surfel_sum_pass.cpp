@@ -12,7 +12,7 @@ namespace opaline::passes {
 
 namespace {
 
-// Surfels summed by one invocation, which Mesa's software device lets go through 65,535 rounds.
+// Surfels summed by one invocation. Mesa's software device ends loops after 65,535 rounds.
 constexpr std::uint32_t surfelsPerDispatch = 8192;
 
 template <typename Dispatch>

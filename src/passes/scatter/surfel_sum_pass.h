@@ -25,9 +25,9 @@ class SurfelSumPass {
   struct Order {
     ScatterTransport transport = ScatterTransport::Dipole;
     ScatterSite site = ScatterSite::PerObject;
-    float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
-    /// Whether the tolerance needs an estimate of the sum. Else a node is taken
-    /// wherever its series converges; that has an error of 0.6 % rms (bunny of marble).
+    float tolerance = 0.01F;  ///< for the tree: error of a node relative to the sum
+    /// Whether the tolerance needs an estimate of the sum. Without it a node is taken wherever its
+    /// series converges, with an rms error of 0.6 % (marble bunny).
     bool estimate = true;
   };
   struct OverPlaces {
@@ -43,7 +43,7 @@ class SurfelSumPass {
     Asked asked = Asked::Knots;
   };
 
-  /// A rough sum at all places, then one to the tolerance where it is wanted there.
+  /// Makes a rough sum at all places, then one to the tolerance at places whose site this is.
   void treeOverPlaces(gpu::CommandList& commands, const Order& order, const OverPlaces& over) const;
   /// After treeOverPlaces at the vertices.
   void treeOverFragments(gpu::CommandList& commands, const Order& order,

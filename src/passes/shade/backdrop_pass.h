@@ -12,20 +12,20 @@ class Device;
 
 namespace opaline::passes {
 
-/// Begins the picture with what lies behind the surfaces: visible lights, and the environment where
-/// that is asked for.
+/// Begins the picture with what lies behind the surfaces: visible lights and, if requested, the
+/// environment.
 class BackdropPass {
  public:
   explicit BackdropPass(gpu::Device& device);
 
-  /// `environment`: with its suns; none where only lights are seen. For set-up.
+  /// `environment` includes its suns; null if only lights are visible. For set-up.
   static Backdrop makeBackdrop(gpu::Device& device, const Image* environment);
 
   struct Inputs {
     Backdrop& backdrop;
     Rgb ambient;
-    std::uint32_t samples;  ///< of a pixel
-    bool fills;             ///< environment and ambient light are seen
+    std::uint32_t samples;  ///< per pixel
+    bool fills;             ///< environment and ambient light are visible
   };
   /// After SurfacePass::draw() and before its list(), with as many samples.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen,

@@ -11,7 +11,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// Writes down what the pixels' centres see.
+/// Stores what the pixels' centres see.
 class CentresPass {
  public:
   explicit CentresPass(gpu::Device& device);

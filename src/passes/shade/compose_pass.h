@@ -15,12 +15,12 @@ class Device;
 
 namespace opaline::passes {
 
-/// Lays the picture over what someone else has drawn, where nothing of that is nearer.
+/// Lays the picture over what the caller has drawn, where nothing of that is nearer.
 class ComposePass {
  public:
   explicit ComposePass(gpu::Device& device);
 
-  /// How others have depth: the rows of their matrix from mm to clip space that make it.
+  /// The caller's depth: the rows of the matrix from mm to clip space that give z and w.
   struct Depth {
     shared::vec4 clipDepth{0};
     shared::vec4 clipW{0, 0, 0, 1};
@@ -31,7 +31,7 @@ class ComposePass {
     gpu::GpuImage* depth = nullptr;  ///< none: the picture lies over everything
     Depth how;
     float scale = 1;                                        ///< of the radiance
-    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;  ///< of both
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;  ///< of both targets
   };
   /// VisibleSurfaces still holds what the picture's pixels see.
   void record(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance,

@@ -25,7 +25,7 @@ Direction normalized(const Direction& v) {
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-// A normal among those that are seen from `out`, Heitz 2018, listing 1; out lies in the xz plane.
+// A sample of the normals visible from `out` (Heitz 2018, listing 1), which lies in the xz plane.
 Direction visibleNormal(const Direction& out, double alpha, double u1, double u2) {
   const Direction v = normalized({alpha * out[0], 0, out[2]});
   const Direction t1{0, 1, 0};

@@ -10,7 +10,7 @@ namespace opaline::passes {
 
 namespace {
 
-// As shade/mirrored_scene.comp has them.
+// The rounds of shade/mirrored_scene.comp.
 enum Round : std::uint32_t { AskingSome, TakingAll };
 
 }  // namespace

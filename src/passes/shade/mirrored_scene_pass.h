@@ -11,8 +11,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// What opaque surfaces mirror of the scene, and how much of what they mirror is sky; and what
-/// translucent surfaces mirror of bodies.
+/// Finds what opaque surfaces mirror of the scene, the share of sky in that, and what translucent
+/// surfaces mirror of bodies.
 class MirroredScenePass {
  public:
   explicit MirroredScenePass(gpu::Device& device);
@@ -22,9 +22,10 @@ class MirroredScenePass {
     Surfels& surfels;
     RayHierarchy& rays;
     Clusters& clusters;
-    bool onTranslucent;  ///< VisibleSurfaces::light says how much of the sky these mirror
-    bool insides;        ///< clusters know what leaves translucent bodies
-    float roughness;     ///< of translucent surfaces that state none
+    bool onTranslucent;  ///< translucent surfaces take part; VisibleSurfaces::light has the share
+                         ///< of sky that they mirror
+    bool insides;        ///< clusters have the light that leaves translucent bodies
+    float roughness;     ///< of translucent surfaces without their own
   };
   /// Completes VisibleSurfaces::materials.
   void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,

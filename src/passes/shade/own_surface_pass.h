@@ -17,12 +17,12 @@ class OwnSurfacePass {
  public:
   explicit OwnSurfacePass(gpu::Device& device);
 
-  /// Normals of pieces, by which light enters them. For set-up.
+  /// Makes the normals of pieces by which light enters. For set-up.
   void makeTilts(gpu::Device& device, Surfels& surfels, OpaqueTables& textures,
                  SceneTables& tables) const;
 
   /// Leaves roughness and normal of translucent surfaces in VisibleSurfaces::materials. `roughness`
-  /// is of those that state none.
+  /// is that of surfaces without their own.
   void record(gpu::CommandList& commands, SceneTables& tables, OpaqueTables& textures,
               float roughness, const SeenSurfaces& seen) const;
 

@@ -12,11 +12,11 @@ class Device;
 
 namespace opaline::passes {
 
-/// Number of SceneTables::reflectionLobes; the shader knows the same.
+/// Number of SceneTables::reflectionLobes; the shader has the same constant.
 constexpr int reflectionLobeEntries = 16;
 
-/// Adds what the surface mirrors of area lights, with their shape, to the radiance of all surfaces
-/// that pixels see.
+/// Adds reflections of area lights, with their shape, to the radiance of all surfaces that pixels
+/// see.
 class ReflectedLightsPass {
  public:
   explicit ReflectedLightsPass(gpu::Device& device);
@@ -32,7 +32,7 @@ class ReflectedLightsPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ShadeReflectedLights> bare_;  // where no surface has a material of its own
+  gpu::Compute<shaders::ShadeReflectedLights> bare_;  // if no surface has a material of its own
   Variants<shaders::ShadeReflectedLights> withMaterials_;
 };
 

@@ -9,7 +9,7 @@ namespace opaline::passes {
 
 namespace {
 
-// Of a surface, with which all of a band go in one dispatch: few of them need rays of their own.
+// The most rays per surface for which a band is one dispatch: few surfaces need rays of their own.
 constexpr std::uint32_t raysAtOnce = 8;
 
 }  // namespace
@@ -64,7 +64,7 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                                               .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                                               .samples = inputs.samples,
                                               .alpha = alpha};
-  // Surfaces of their own are all on the list, and may be of any roughness.
+  // Surfaces with their own roughness are all on the list, and may need many rays.
   const auto rays = static_cast<std::uint32_t>(shared::skyRaysOfSample(alpha));
   if (!own && rays * inputs.samples <= raysAtOnce)
     dispatchWhole(commands, surfaces.countsOf(Asked::OfSky), pixels_.of(own), bindings, push);

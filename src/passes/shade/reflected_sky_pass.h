@@ -16,9 +16,9 @@ class Device;
 
 namespace opaline::passes {
 
-/// Finds how much of what the surface mirrors towards the camera is sky, and not the scene itself,
-/// by rays from the corners of blocks of 4×4 pixels or their quarters where those agree, else from
-/// every visible pixel. What is rougher takes more of them.
+/// Finds the share of sky, as opposed to the scene itself, in what surfaces mirror towards the
+/// camera. Rays start at the corners of blocks of 4×4 pixels, or of their quarters, if these agree,
+/// else at every visible pixel. Rougher surfaces take more rays.
 class ReflectedSkyPass {
  public:
   explicit ReflectedSkyPass(gpu::Device& device);
@@ -27,10 +27,10 @@ class ReflectedSkyPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
-    std::uint32_t samples;  ///< of a pixel
+    std::uint32_t samples;  ///< per pixel
     float roughness;
   };
-  /// Of the band of the picture from `firstRow` on. Leaves it in VisibleSurfaces::skyShares.
+  /// Leaves the shares of the band that starts at `firstRow` in VisibleSurfaces::skyShares.
   void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
               const SeenSurfaces& seen) const;
 

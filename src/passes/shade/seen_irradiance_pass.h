@@ -11,12 +11,12 @@ class Device;
 
 namespace opaline::passes {
 
-/// Shows what the surfels that the camera sees have gathered.
+/// Shows the irradiance of the surfels that the camera sees.
 class SeenIrradiancePass {
  public:
   explicit SeenIrradiancePass(gpu::Device& device);
 
-  /// For set-up, not for frames: rgb E, a texel a pixel.
+  /// For set-up, not for frames: rgb E, one texel per pixel.
   static gpu::GpuImage makeImage(gpu::Device& device, VkExtent2D extent);
 
   void record(gpu::CommandList& commands, SeenSurfels& seen, Surfels& surfels,

@@ -13,7 +13,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Finds the surfels that the camera sees: of every visible place the nearest piece of its object.
+/// Finds the surfels that the camera sees: for every visible place, the nearest piece of its
+/// object.
 class SeenSurfelsPass {
  public:
   explicit SeenSurfelsPass(gpu::Device& device);
@@ -26,7 +27,7 @@ class SeenSurfelsPass {
     SeenCentres& centres;
     Surfels& surfels;
     RayHierarchy& rays;           ///< of this frame
-    Clusters* clusters;           ///< none where light is not carried by them
+    Clusters* clusters;           ///< null if light is not carried by them
     std::uint32_t treeLevel = 0;  ///< of the nodes
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, SeenSurfels& seen) const;

@@ -17,7 +17,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// Radiance towards the camera from exitance, with the reflection on top, of all surfaces that a
+/// Turns exitance into radiance towards the camera and adds the reflection, for all surfaces that a
 /// pixel sees.
 class ShadePass {
  public:
@@ -33,24 +33,24 @@ class ShadePass {
     float roughness;
     bool atFragments;  ///< VisibleSurfaces::light has the exitance; else the vertices have it
     bool specular;
-    bool mirrorsSky;     ///< VisibleSurfaces::light says how much of it
-    bool mirrorsBodies;  ///< VisibleSurfaces::materials says what is seen of them
-    bool leavesSmooth;   ///< light leaves as through a smooth surface, whatever the roughness
-    bool byOrigin;  ///< of bodies with an inside, as exitLaw() has it; VisibleSurfaces::origins
-                    ///< or those of vertices are known
+    bool mirrorsSky;     ///< VisibleSurfaces::light has the share
+    bool mirrorsBodies;  ///< VisibleSurfaces::materials has their reflections
+    bool leavesSmooth;   ///< light leaves as through a smooth surface, for any roughness
+    bool byOrigin;  ///< bodies with an inside follow exitLaw(); VisibleSurfaces::origins or those
+                    ///< of vertices are known
   };
-  /// Leaves the radiance of translucent surfaces, by coverage, in VisibleSurfaces::light.
+  /// Leaves the radiance of translucent surfaces, times coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
-  /// The same of opaque surfaces; the other leaves them as they are.
+  /// The same for opaque surfaces, which record() does not change.
   void recordOpaque(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
                     const SeenSurfaces& seen) const;
-  /// Of the surfaces of each pixel. Pixels that see nothing stay as they are.
+  /// Sums the surfaces of each pixel. Pixels that see nothing do not change.
   void sumUp(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance) const;
 
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  Variants<shaders::ShadeShade> shade_;  ///< these two by paint
+  Variants<shaders::ShadeShade> shade_;  ///< this and the next indexed by paint
   Variants<shaders::ShadeShade> shadeOwnSurfaces_;
   gpu::Compute<shaders::ShadeOpaque> opaque_;
   gpu::Compute<shaders::ShadeSum> sum_;

@@ -16,20 +16,20 @@ class Device;
 
 namespace opaline::passes {
 
-/// Leaves a variable of the pixels' centres for others to read.
+/// Leaves a variable of the pixels' centres on the device for the caller.
 class VariablePass {
  public:
   explicit VariablePass(gpu::Device& device);
 
-  /// For set-up, not for frames: a texel a pixel.
+  /// For set-up, not for frames: one texel per pixel.
   static gpu::GpuImage makeImage(gpu::Device& device, VkExtent2D extent);
 
   struct Inputs {
     SeenCentres& centres;
-    gpu::GpuImage& values;   ///< read or not, as the kind says
+    gpu::GpuImage& values;   ///< whether they are read depends on the kind
     std::uint32_t kind = 0;  ///< shared::variableValues and so on
-    glm::vec4 depth{0};      ///< xyz: the camera's axis; w: less how far along it the camera stands
-    glm::vec3 origin{0};     ///< that the scene has been moved to, mm
+    glm::vec4 depth{0};      ///< xyz: the camera's axis; w: minus the camera's place along it
+    glm::vec3 origin{0};     ///< to which the scene has been moved, mm
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& variable) const;
 

@@ -13,7 +13,7 @@ namespace opaline::passes {
 
 namespace {
 
-// Irradiance bends so little that linear filtering of 32² texels a face is exact to 0.1 %.
+// Irradiance is so smooth that linear filtering of 32² texels per face is exact to 0.1 %.
 constexpr std::uint32_t ambientFaceSize = 32;
 
 std::vector<float> makeFace(const SkyIrradiance& irradiance, std::uint32_t face) {

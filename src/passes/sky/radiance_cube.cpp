@@ -18,7 +18,7 @@ namespace {
 using Texel = std::array<float, 4>;
 
 constexpr std::uint32_t faceSize = 32;     // as fine as the parts of the sky
-constexpr std::uint32_t samplesAlong = 4;  // of a texel
+constexpr std::uint32_t samplesAlong = 4;  // along each edge of a texel
 
 Texel meanOf(const std::vector<Texel>& texels) {
   Texel mean{};

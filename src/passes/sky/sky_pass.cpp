@@ -29,7 +29,7 @@ constexpr std::uint32_t skyFaceSize = 128;
 constexpr std::uint32_t mirrorFaceSize = 256;
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t samplesOfLobe = 256;
-constexpr float leastRoughness = 0.02F;  // below it is a mirror
+constexpr float leastRoughness = 0.02F;  // smoother surfaces count as mirrors
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, std::uint32_t levels,
@@ -45,7 +45,7 @@ gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, std::uint32
            .kind = gpu::ImageKind::CubeArray}};
 }
 
-// Of one texel a face.
+// A cube of one texel per face.
 gpu::GpuImage makeUniformCube(gpu::Device& device, const Rgb& radiance) {
   gpu::GpuImage cube = makeCubeImage(device, 1, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
   const std::array<float, 4> texel{radiance[0], radiance[1], radiance[2], 1};
@@ -107,7 +107,7 @@ gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting
   for (std::uint32_t level = 0; level < levels; ++level) {
     const float roughness = std::max(roughnesses[level], leastRoughness);
     const std::uint32_t size = edge >> level;
-    // A quarter of the map's width lies before a face.
+    // A face covers a quarter of the map's width.
     const float texels = static_cast<float>(map.extent().width) / static_cast<float>(4 * size);
     commands.bind(reflected_, {.latLong = {map, sampler_}, .cube = {cube, level}},
                   {.ambient = ambient,

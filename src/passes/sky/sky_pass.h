@@ -13,20 +13,20 @@ class Device;
 
 namespace opaline::passes {
 
-/// Makes the sky: what of it enters surfaces, and what these reflect of it. For set-up.
+/// Makes the sky's tables: light that enters surfaces, and light that they reflect. For set-up.
 class SkyPass {
  public:
   explicit SkyPass(gpu::Device& device);
 
-  /// For surfaces of that roughness and these indices of refraction, and, where `glossy`, for
-  /// such as have any roughness.
+  /// Makes a sky for surfaces of that roughness and these indices of refraction and, with `glossy`,
+  /// for surfaces of any roughness.
   Sky makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
               const std::vector<double>& etas, bool glossy) const;
-  /// Takes up other indices of refraction, without another look at the environment.
+  /// Adapts the sky to other indices of refraction without reading the environment again.
   static void takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky);
 
  private:
-  /// One level for each roughness, each of half the edge of the last.
+  /// One level for each roughness; each has half the edge of the one before.
   gpu::GpuImage reflectedOf(gpu::Device& device, const Lighting& lighting,
                             const std::vector<float>& roughnesses, std::uint32_t edge) const;
 

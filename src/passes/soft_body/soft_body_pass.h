@@ -21,21 +21,21 @@ class Device;
 
 namespace opaline::passes {
 
-/// A soft body on the device: its cage, how that moves, and where it takes the body's vertices.
+/// A soft body on the device: its cage, the cage's motion, and the body's vertices that follow it.
 struct SoftBodyState {
   gpu::Buffer cells;      ///< eight corners each, see shared::softMassShift
   gpu::Buffer nodes;      ///< shared::SoftNode
-  gpu::Buffer motions;    ///< shared::SoftMotion, one a node
-  gpu::Buffer turns;      ///< vec4 a cell: its rotation as a quaternion
-  gpu::Buffer grips;      ///< vec4 a node: how it was shifted when it was taken hold of; how firmly
+  gpu::Buffer motions;    ///< shared::SoftMotion, one per node
+  gpu::Buffer turns;      ///< vec4 per cell: its rotation as a quaternion
+  gpu::Buffer grips;      ///< vec4 per node: its displacement when it was grabbed; w: how firmly
   gpu::Buffer report;     ///< shared::SoftReport
   gpu::Buffer firstPart;  ///< soft_body::Spread
   gpu::Buffer parts;
-  gpu::Buffer grid;       ///< vec4 a place: xyz cells; texels too
-  gpu::Buffer rest;       ///< three floats a vertex, mm
-  gpu::Buffer positions;  ///< three floats a vertex, mm
-  glm::vec4 origin{0};    ///< of the grid, mm; edge of a cell, mm
-  glm::uvec4 size{0};     ///< of the grid; number of vertices
+  gpu::Buffer grid;       ///< vec4 per place: xyz in cells; also read as texels
+  gpu::Buffer rest;       ///< three floats per vertex, mm
+  gpu::Buffer positions;  ///< three floats per vertex, mm
+  glm::vec4 origin{0};    ///< of the grid, mm; w: edge of a cell, mm
+  glm::uvec4 size{0};     ///< of the grid; w: number of vertices
   std::array<std::uint32_t, shared::softColours + 1> firstOfColour{};  ///< cell
   std::uint32_t nodeCount = 0;
 };
@@ -45,14 +45,15 @@ class SoftBodyPass {
  public:
   explicit SoftBodyPass(gpu::Device& device);
 
-  /// At rest. There are at most shared::maxSoftNodes nodes, and positions.
+  /// Makes a body at rest. The cage has at most shared::maxSoftNodes nodes, and there is at least
+  /// one position.
   static SoftBodyState makeState(gpu::Device& device, const soft_body::Cage& cage,
                                  std::span<const Vec3> restMm);
 
-  /// Moves the cage on in time. What is the cage's in `step` is filled in.
+  /// Advances the cage in time. Fills in the members of `step` that depend on the cage.
   void swing(gpu::CommandList& commands, shared::SoftStep step, SoftBodyState& state) const;
 
-  /// Moves the vertices to where the cage is, for shaders to read.
+  /// Moves the vertices along with the cage, for shaders to read.
   void embed(gpu::CommandList& commands, SoftBodyState& state) const;
 
  private:
