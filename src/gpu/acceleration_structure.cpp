@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t cornerBytes = 4 * sizeof(float);
 constexpr std::size_t triangleBytes = 3 * cornerBytes;
-constexpr std::size_t storageAlignment = 256;  // of structures, by the specification
+constexpr std::size_t storageAlignment = 256;  // alignment of structures by the specification
 constexpr VkBufferUsageFlags addressed = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
 std::size_t alignedUp(std::size_t bytes, std::size_t alignment) {
@@ -49,7 +49,8 @@ VkAccelerationStructureGeometryKHR instancesAt(VkDeviceAddress instances) {
   return geometry;
 }
 
-// The class of a body: queries for one body alone meet those of its class.
+// Bits of the mask, which holds a body's class: queries for a single body meet the bodies of its
+// class.
 constexpr std::uint32_t maskBits = 8;
 
 VkAccelerationStructureInstanceKHR instanceOf(std::uint32_t name, VkDeviceAddress triangles) {
@@ -91,7 +92,7 @@ void AccelerationStructure::describe(VkDeviceAddress corners,
   for (std::size_t body = 0; body + 1 < firstTriangle.size(); ++body) {
     const std::uint32_t count = firstTriangle[body + 1] - firstTriangle[body];
     geometries_.push_back(trianglesAt(corners + firstTriangle[body] * triangleBytes, count));
-    // Bodies of one class are told apart triangle by triangle.
+    // Queries tell bodies of one class apart triangle by triangle.
     if (firstTriangle.size() - 1 > maskBits) geometries_.back().flags = 0;
     ranges_.push_back({count, 0, 0, 0});
   }
@@ -130,7 +131,8 @@ void AccelerationStructure::makeRoom(const std::string& name) {
     info.type = builds_[i].type;
     infos.push_back(info);
     storageBytes += alignedUp(info.size, storageAlignment);
-    builds_[i].scratchData.deviceAddress = scratchBytes;  // the buffer's own is added below
+    builds_[i].scratchData.deviceAddress = scratchBytes;  // an offset; the buffer's address is
+                                                          // added below
     scratchBytes +=
         alignedUp(std::max(sizes.buildScratchSize, sizes.updateScratchSize), scratchAlignment);
   }

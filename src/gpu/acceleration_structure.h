@@ -13,17 +13,17 @@ namespace opaline::gpu {
 
 class Device;
 
-/// What rays are sent through by ray queries of shaders (VK_KHR_ray_query): bodies of triangles,
-/// one instance each, whose custom index is the body's name and whose mask is 1 << name % 8; where
-/// there are more than eight, triangles are not opaque. Triangles move; which there are does not.
-/// Movable.
+/// The structure that ray queries of shaders (VK_KHR_ray_query) send rays through. Each body of
+/// triangles is an instance whose custom index is the body's name and whose mask is 1 << name % 8.
+/// With more than eight bodies, triangles are not opaque. Triangles may move, but their number
+/// stays. Movable.
 class AccelerationStructure {
  public:
   AccelerationStructure() = default;
-  /// Built of the triangles as they lie: for set-up, not for frames. `corners` holds three vec4 a
-  /// triangle and was made with cornersUsage; body i is the triangles from firstTriangle[i] on, and
-  /// firstTriangle has one more entry than there are bodies. Their names are their numbers, or
-  /// those that are given. Needs Device::hasRayQueries().
+  /// Builds the structure of the triangles' present places: for set-up, not for frames. `corners`
+  /// holds three vec4 per triangle and was made with cornersUsage. Body i has the triangles from
+  /// firstTriangle[i] on; firstTriangle has one more entry than there are bodies. Bodies are named
+  /// by their numbers, or as given. Needs Device::hasRayQueries().
   AccelerationStructure(Device& device, const std::string& name, Buffer& corners,
                         std::span<const std::uint32_t> firstTriangle,
                         std::span<const std::uint32_t> nameOfBody = {});
@@ -33,7 +33,7 @@ class AccelerationStructure {
   AccelerationStructure(const AccelerationStructure&) = delete;
   AccelerationStructure& operator=(const AccelerationStructure&) = delete;
 
-  /// Of a buffer that holds corners, beside others.
+  /// Additional usage of a buffer that holds corners.
   static constexpr VkBufferUsageFlags cornersUsage =
       VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
       VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
@@ -42,7 +42,7 @@ class AccelerationStructure {
   VkAccelerationStructureKHR handle() const { return builds_.back().dstAccelerationStructure; }
   Buffer& storage() { return storage_; }
 
-  /// For CommandTape: of the triangles, then of the bodies that they make.
+  /// For CommandTape: the builds of triangles, then of the bodies that consist of them.
   void recordTriangles(VkCommandBuffer commands, bool refit);
   void recordBodies(VkCommandBuffer commands);
 
@@ -55,7 +55,7 @@ class AccelerationStructure {
   void swap(AccelerationStructure& other) noexcept;
 
   Device* device_ = nullptr;
-  // What the build commands read, made once: of the triangles of each body, then of the bodies.
+  // What the build commands read, made once: for the triangles of each body, then for the bodies.
   std::vector<VkAccelerationStructureGeometryKHR> geometries_;
   std::vector<VkAccelerationStructureBuildGeometryInfoKHR> builds_;
   std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges_;

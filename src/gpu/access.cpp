@@ -15,7 +15,7 @@ constexpr VkPipelineStageFlags2 depthStages =
 
 constexpr VkAccessFlags2 storageAccesses =
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
-// What shaders read and write of buffers, as they are or as texels.
+// Accesses of shaders to buffers, as storage or as texels.
 constexpr VkAccessFlags2 bufferAccesses =
     storageAccesses | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
 
@@ -111,7 +111,7 @@ std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next
   if (wasPrepared && next.writes && next.stages == state.writeStages &&
       next.accesses == state.writeAccesses && next.layout == state.layout)
     return std::nullopt;
-  if (next.stages == 0) {  // Access::None: forget the contents, but not who is still busy with them
+  if (next.stages == 0) {  // Access::None: forgets the contents, but not who still uses them
     state.layout = VK_IMAGE_LAYOUT_UNDEFINED;
     return std::nullopt;
   }

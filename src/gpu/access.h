@@ -7,7 +7,7 @@
 
 namespace opaline::gpu {
 
-/// What a command does with a resource: the only vocabulary in which barriers are spoken of.
+/// What a command does with a resource. All barriers are derived from these.
 enum class Access {
   None,                  ///< contents are not needed any more
   ColorWrite,            ///< colour attachment, written and blended
@@ -18,9 +18,9 @@ enum class Access {
   StorageWrite,          ///< storage image or buffer written or read and written, any shader stage
   Uniform,               ///< uniform buffer
   Index,                 ///< index buffer
-  Indirect,              ///< says how large dispatches are
-  StorageWriteIndirect,  ///< says how large the dispatch is that writes it
-  Lent,                  ///< buffer that others read: shaders, copies, or as attributes of vertices
+  Indirect,              ///< holds the sizes of dispatches
+  StorageWriteIndirect,  ///< holds the size of the dispatch that writes it
+  Lent,  ///< buffer that the caller reads: in shaders, by copies, or as vertex attributes
   TransferRead,
   TransferWrite,
   RayBuild,  ///< acceleration structure built or refitted, or what building it needs
@@ -63,24 +63,25 @@ struct AccessBarrier {
   bool operator==(const AccessBarrier&) const = default;
 };
 
-/// Between all accesses of shaders to buffers, where that one is between some.
+/// Widens a barrier between some accesses of shaders to buffers to one between all.
 void widen(AccessBarrier& barrier);
 
-/// Numbers commands in the order in which they are recorded, and knows the last of them before
-/// which all that shaders had done to buffers was ordered: nothing need wait for that again.
+/// Numbers commands in the order in which they are recorded. It knows the last command before which
+/// a barrier ordered all earlier accesses of shaders to buffers, which need no other barrier.
 class CommandOrder {
  public:
-  /// Of the next command.
+  /// The number of the next command.
   std::uint64_t next() const { return next_; }
   void noteCommand() { ++next_; }
-  /// Before the next command.
+  /// Notes a barrier before the next command.
   void note(const AccessBarrier& barrier);
-  /// Whether that has been ordered before, for a buffer that `command` accessed last.
+  /// Whether an earlier barrier already orders this, for a buffer that `command` accessed last.
   bool hasOrdered(const AccessBarrier& barrier, std::uint64_t command) const;
 
  private:
   std::uint64_t next_ = 1;
-  std::uint64_t ordered_ = 0;  // the command before which shaders were waited for last
+  std::uint64_t ordered_ = 0;  // the last command before which a barrier ordered all accesses of
+                               // shaders
 };
 
 /// Moves `state` on to the next access and returns the barrier that has to stand before it, if any.

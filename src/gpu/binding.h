@@ -31,7 +31,7 @@ struct Binding {
   VkAccelerationStructureKHR structure = VK_NULL_HANDLE;
 
   Binding at(std::uint32_t binding) const;
-  /// What texels are where the shader's variant reads storage (ShaderVariant).
+  /// The binding of texels for a shader's variant that reads storage (ShaderVariant).
   Binding asStorage() const;
 };
 
@@ -51,7 +51,7 @@ struct Write : Binding {
   Write(Buffer& to);
 };
 
-/// Also says how large the dispatch is.
+/// The buffer also holds the size of the dispatch.
 struct WriteIndirect : Write {
   WriteIndirect(Buffer& to) : Write(to) { access = Access::StorageWriteIndirect; }
 };
@@ -65,12 +65,12 @@ struct Sampled : Binding {
   Sampled(GpuImage& from, const Sampler& with);
 };
 
-/// A level, with all its layers.
+/// One level with all its layers.
 struct WriteImage : Binding {
   WriteImage(GpuImage& to, std::uint32_t level = 0);
 };
 
-/// Of shaders with a variant for ray queries, which want a structure where others want texels.
+/// For shaders whose variant for ray queries takes an acceleration structure instead of texels.
 struct TexelsOrRays : Binding {
   TexelsOrRays(Buffer& from);
   TexelsOrRays(AccelerationStructure& through);
@@ -78,7 +78,7 @@ struct TexelsOrRays : Binding {
 
 // NOLINTEND(google-explicit-constructor)
 
-/// In place of a fragment shader, where depth alone is drawn.
+/// Takes the place of a fragment shader if only depth is drawn.
 struct NoFragment {
   struct Push {};
   struct Constants {};

@@ -14,24 +14,24 @@ class Device;
 
 enum class Memory {
   Device,    ///< fast for the device, not visible to the host
-  Upload,    ///< written by the host, mapped for good
-  Readback,  ///< read by the host, mapped for good and cached where possible
+  Upload,    ///< written by the host, permanently mapped
+  Readback,  ///< read by the host, permanently mapped and cached where possible
 };
 
 struct BufferOptions {
   std::string name;
-  std::size_t bytes = 0;  ///< > 0, at most the device's storage-buffer range where used as such
-  VkBufferUsageFlags usage = 0;  ///< copying from and to it is always possible; as a texel buffer
-                                 ///< it holds texels of four floats
+  std::size_t bytes = 0;         ///< > 0; at most the device's storage-buffer range if used as such
+  VkBufferUsageFlags usage = 0;  ///< copies from and to it are always allowed; a texel buffer holds
+                                 ///< texels of four floats
   Memory memory = Memory::Device;
-  bool lent = false;  ///< others submit work to the queue that uses it
+  bool lent = false;  ///< the caller submits work to the queue that uses it
 };
 
 /// A buffer with memory of its own, unless it is borrowed. Movable.
 class Buffer {
  public:
   Buffer() = default;
-  /// A buffer of someone else's, who keeps it alive and makes what he wrote visible to its use.
+  /// A buffer of the caller's, who keeps it alive and makes its writes visible to later use.
   static Buffer borrowed(VkBuffer buffer, std::size_t bytes);
   Buffer(Device& device, const BufferOptions& options);
   ~Buffer();
@@ -44,8 +44,8 @@ class Buffer {
   VkBuffer handle() const { return buffer_; }
   std::size_t bytes() const { return bytes_; }
   bool isBorrowed() const { return device_ == nullptr; }
-  VkBufferView texelView() const { return texelView_; }  ///< of all of it
-  /// Where shaders and builds find it. Needs VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
+  VkBufferView texelView() const { return texelView_; }  ///< of the whole buffer
+  /// The address for shaders and builds. Needs VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
   VkDeviceAddress address() const;
 
   /// The mapped memory of an Upload or Readback buffer.

@@ -150,7 +150,7 @@ void CommandList::submit(std::span<const SemaphoreValue> waits,
   submission_ = device_.submit(std::span(buffers).first(part_ + 1), waits, signals);
 }
 
-// Equal handles mean equal objects only where none has gone since.
+// Equal handles mean the same objects only if no object has been destroyed since.
 bool CommandList::isRecorded(const Recording& recording, const Part& part) const {
   return recording.keeps && recording.retired == device_.retired() &&
          recording.recorded == part.wanted;
@@ -163,10 +163,10 @@ void CommandList::record(const Part& part, Recording& recording, VkCommandBuffer
   VkCommandBufferBeginInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   info.flags = usage;
-  info.pInheritanceInfo = &inherited;  // of secondary ones
+  info.pInheritanceInfo = &inherited;  // only for secondary command buffers
   check(device_.vk().vkBeginCommandBuffer(recording.buffer, &info), "begin a command list");
   part.wanted.record(device_, recording.buffer);
-  // Its name only where it fails: frames allocate nothing.
+  // The message is made only on failure, since frames must not allocate.
   const VkResult recorded = device_.vk().vkEndCommandBuffer(recording.buffer);
   if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
   recording.recorded = part.wanted;
@@ -181,7 +181,7 @@ void CommandList::recordInto(VkCommandBuffer commands, const SemaphoreValue& don
   submission_ = device_.expect(done);
 }
 
-// What comes again a second time is kept from then on; what comes once is recorded once.
+// Commands that come a second time are kept from then on; others are recorded for one submission.
 void CommandList::executeIn(VkCommandBuffer commands, Part& part) {
   Recording& recording = part.executed;
   if (!isRecorded(recording, part)) {
@@ -259,12 +259,12 @@ void CommandList::add(GpuImage& image, const std::optional<AccessBarrier>& barri
   imageBarriers_[imageBarrierCount_++] = {image.handle(), image.aspect(), *barrier};
 }
 
-// Before each command.
+// Called before each command.
 void CommandList::flushBarriers() {
   CommandOrder& order = device_.commandOrder();
   if (memoryBarrier_.toStages != 0 || imageBarrierCount_ != 0) {
     widen(memoryBarrier_);
-    // What was bound for a command before, this one may read and write again.
+    // Resources that were bound for an earlier command may be read and written by this one.
     if (boundFor_ == order.next()) order.note(memoryBarrier_);
     addBarrier();
   }
@@ -282,7 +282,7 @@ void CommandList::addBarrier() {
 
 void CommandList::use(Buffer& buffer, Access access) {
   order(buffer, scopeOf(access));
-  // Nothing is left to be ordered then: the host waits for all of it.
+  // No ordering is left after that: the host waits for everything.
   if (access == Access::HostRead) buffer.state_ = {};
 }
 
@@ -313,7 +313,7 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
       order(*bindings[i].image, scope);
     }
   }
-  if (rendering_) flushBarriers();  // there must be none
+  if (rendering_) flushBarriers();  // inside rendering there must be no barriers
 }
 
 void CommandList::bindResources(std::span<const Binding> given) {
@@ -370,14 +370,14 @@ void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
                  std::span(static_cast<const std::byte*>(data), bytes));
 }
 
-// Borrowed ones stay in the layout that their owner has them in.
+// Borrowed images keep the layout that their owner gave them.
 AccessScope CommandList::scopeOfTarget(const GpuImage& image, Access access) {
   AccessScope scope = scopeOf(access);
   if (image.isBorrowed()) scope.layout = image.state_.layout;
   return scope;
 }
 
-// Layers that are drawn to one after the other need not wait for each other.
+// Drawing to one layer after the other needs no barrier in between.
 void CommandList::orderTarget(GpuImage& image, std::uint32_t layer, const AccessScope& scope) {
   const AccessState& state = image.state_;
   const bool drawnLast = state.layout == scope.layout && state.writeStages == scope.stages &&

@@ -30,7 +30,7 @@ class AccelerationStructure;
 struct ColorTarget {
   GpuImage* image = nullptr;
   std::uint32_t layer = 0;
-  bool clear = true;  ///< else what is there is kept
+  bool clear = true;  ///< else the contents are kept
   float clearValue[4] = {0, 0, 0, 0};
 };
 
@@ -50,20 +50,19 @@ struct BufferCopy {
   std::size_t toOffset = 0;
 };
 
-/// What a device is asked to do one after the other.
+/// Counts of commands.
 struct CommandCounts {
   std::uint32_t dispatches = 0;
   std::uint32_t barriers = 0;
-  std::uint32_t recordings = 0;  ///< of its parts, of which those that are kept need none
+  std::uint32_t recordings = 0;  ///< of parts of the list; parts that are kept need none
 };
 
-/// Takes commands, orders accesses, submits, waits. One list is reused frame after frame: after the
-/// first frames it allocates nothing, and a part whose commands are the same as in its last
-/// submission is not recorded anew. Binding of resources goes before beginRendering of the
-/// draw that uses them, because barriers cannot stand inside a rendering scope; what is bound stays
-/// bound inside it. Resources remember their last access from list to list, so lists are submitted
-/// in the order in which they were filled, and what is in them is submitted. One that goes away
-/// lets the device finish.
+/// Takes commands, orders accesses, submits and waits. A list is reused for every frame: after the
+/// first frames it allocates nothing, and a part whose commands have not changed since its last
+/// submission is not recorded again. Resources are bound before the beginRendering() of the draw
+/// that uses them, because barriers cannot stand inside a rendering scope; bindings stay valid
+/// inside it. Resources remember their last access across lists, so lists have to be submitted, in
+/// the order in which they were filled. The destructor waits for the device.
 class CommandList {
  public:
   CommandList(Device& device, std::string name, std::uint32_t maxPasses = 64);
@@ -71,19 +70,19 @@ class CommandList {
   CommandList(const CommandList&) = delete;
   CommandList& operator=(const CommandList&) = delete;
 
-  /// Waits until the last submission has finished, then starts anew.
+  /// Waits until the last submission has finished, then starts an empty list.
   void begin();
-  /// Between passes: ends a part, so that what changes from frame to frame stands apart from what
-  /// stays. Nothing is bound any more.
+  /// Ends a part of the list, between passes, to separate commands that change from frame to frame
+  /// from those that do not. Afterwards nothing is bound.
   void cut();
-  /// Hands everything to the queue, after `waits` and before `signals`; does not wait.
+  /// Submits everything to the queue, after `waits` and before `signals`; does not wait.
   void submit(std::span<const SemaphoreValue> waits = {},
               std::span<const SemaphoreValue> signals = {});
-  /// Records everything into a primary command buffer of someone else's, who submits it to the same
-  /// queue before anything that is filled later. `done` is reached when it has finished.
+  /// Records everything into a primary command buffer of the caller's. The caller submits it to the
+  /// same queue before any list that is filled later. `done` is reached when it has finished.
   void recordInto(VkCommandBuffer commands, const SemaphoreValue& done);
-  /// After an exception since begin(). What resources remember of their accesses no longer holds:
-  /// buffers may be used again, images after GpuImage::forget().
+  /// Drops the list after an exception since begin(). The accesses that resources remember no
+  /// longer hold: buffers may be used again, images only after GpuImage::forget().
   void abandon();
   /// Blocks until the last submission has finished. Throws Error when the device is lost.
   void wait();
@@ -92,19 +91,19 @@ class CommandList {
   /// there are more than maxPasses.
   void beginPass(const char* name);
   void endPass();
-  /// Of the last submission that was waited for, in order; passes of one name are summed. Where the
-  /// device has no timestamps, all are 0.
+  /// Times of the last submission that was waited for, in order; passes of the same name are
+  /// summed. Without timestamps on the device, all are 0.
   const std::vector<PassTiming>& timings();
-  /// From the first pass's begin to the last pass's end, ms.
+  /// Time from the beginning of the first pass to the end of the last, ms.
   double frameMilliseconds();
 
-  /// Since begin().
+  /// Counts since begin().
   const CommandCounts& counts() const { return counts_; }
 
-  /// A pipeline with all that its shader reads and writes. It is not destroyed before the
-  /// submission has finished. A resource may stand at several bindings if the accesses agree.
-  /// Inside a rendering scope only with what needs no barrier: has been bound or used like this
-  /// before.
+  /// Binds a pipeline with all that its shader reads and writes. The pipeline is kept until the
+  /// submission has finished. A resource may be at several bindings if the accesses agree. Inside a
+  /// rendering scope, only resources that need no barrier may be bound: they were bound or used in
+  /// the same way before.
   template <typename S>
   void bind(const Compute<S>& pipeline, const typename S::Bindings& bindings,
             const typename S::Push& push = {}) {
@@ -121,35 +120,35 @@ class CommandList {
     bindResources(ofFragments.list());
     pushConstants(push);
   }
-  /// Other push constants for the pipeline that is bound.
+  /// Sets other push constants for the bound pipeline.
   template <typename S>
   void push([[maybe_unused]] const Compute<S>& pipeline, const typename S::Push& push) {
     assert(pipeline_ == &pipeline);
     pushConstants(push);
   }
-  /// Dispatches with no bind between them are not ordered.
+  /// Dispatches without a bind() between them are not ordered.
   void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
 
   /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
-  /// `rounds`: about how often one goes through its innermost loop at most. What might take a
-  /// device longer than a display waits for it goes by several dispatches, here and below.
+  /// `rounds`: roughly the most rounds of an invocation's innermost loop. Here and below, work that
+  /// might take so long that a display's driver resets the device is split into several dispatches.
   void dispatchLinear(std::uint32_t count, std::uint32_t rounds = 1);
 
-  /// The device's lanes for each of `count` things, of a shader with lib/lanes.glsl.
+  /// The device's number of lanes for each of `count` things, for a shader with lib/lanes.glsl.
   void dispatchLanes(std::uint32_t count, std::uint32_t rounds = 1);
 
-  /// So many work groups of a shader with lib/work_group.glsl.
+  /// That many work groups of a shader with lib/work_group.glsl.
   void dispatchGroups(std::uint32_t groups, std::uint32_t rounds = 1);
 
-  /// An invocation for each pixel of an image at least, of a shader with 64 in a group that are a
-  /// tile of 8×8.
+  /// At least one invocation for each pixel of an image, for a shader whose groups of 64 are tiles
+  /// of 8×8.
   void dispatchTiles(const GpuImage& image, std::uint32_t rounds = 1);
 
-  /// Of as many groups as stand in `groups` there, x y z; ordered with use(groups,
+  /// Dispatches the numbers of groups, x y z, in `groups` at `offset`; ordered with use(groups,
   /// Access::Indirect).
   void dispatchIndirect(Buffer& groups, std::size_t offset);
 
-  /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
+  /// Makes the targets attachments, with their barriers; viewport and scissor cover them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
   void beginRendering(std::initializer_list<ColorTarget> colors,
                       const DepthTarget* depth = nullptr) {
@@ -162,7 +161,7 @@ class CommandList {
 
   void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
                   std::size_t toOffset = 0);
-  /// To different buffers, in one go. Copies of no bytes are none.
+  /// Copies to different buffers at once. Copies of 0 bytes are left out.
   void copyBuffers(std::span<const BufferCopy> copies);
   void copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                    std::size_t fromOffset = 0);
@@ -172,33 +171,33 @@ class CommandList {
   /// Sets an image of floats or whole numbers to 0. Needs VK_IMAGE_USAGE_TRANSFER_DST_BIT.
   void clear(GpuImage& image);
 
-  /// Of the triangles as they lie in `corners`, the buffer that it was made of. A refit is faster
-  /// than building anew, and rays take longer the further triangles have moved apart since then.
+  /// Builds the structure for the triangles in `corners`, the buffer that it was made from. A refit
+  /// is faster than a new build, but rays take longer the further triangles have moved apart since.
   void build(AccelerationStructure& structure, Buffer& corners, bool refit);
 
-  /// Orders an access that no other call speaks of, such as Index or HostRead.
+  /// Orders an access that no other call implies, such as Index or HostRead.
   void use(Buffer& buffer, Access access);
   void use(GpuImage& image, Access access);
-  /// Orders a write along with whatever waits before the next command, so that it need not wait
-  /// when it comes. Nothing else may use the image in between.
+  /// Orders a later write together with the barriers before the next command, so that it needs none
+  /// of its own. Nothing else may use the image in between.
   void prepare(GpuImage& image, Access write);
 
  private:
   static constexpr std::size_t maxSlots = CommandTape::maxResources;
   static constexpr std::size_t maxParts = Device::mostBuffers;
 
-  /// A command buffer, and what it holds.
+  /// A command buffer and its commands.
   struct Recording {
     VkCommandBuffer buffer = VK_NULL_HANDLE;
     CommandTape recorded;
-    std::uint64_t retired = 0;  // by the device until it was recorded
-    bool keeps = false;         // what is recorded may be submitted again
+    std::uint64_t retired = 0;  // Device::retired() when it was recorded
+    bool keeps = false;         // the buffer may be submitted again
   };
   struct Part {
     CommandTape wanted;
-    bool borrows = false;  // others may put another object in a borrowed one's place
+    bool borrows = false;  // uses a borrowed object, whose handle may come to mean another
     Recording submitted;
-    Recording executed;  // by command buffers of others: a secondary one, made when first needed
+    Recording executed;  // secondary, for the caller's command buffers; made when first needed
   };
   CommandTape& commands() { return parts_[part_].wanted; }
   void beginPart();
@@ -233,15 +232,15 @@ class CommandList {
   PassTimer timer_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   std::array<Part, maxParts> parts_;
-  std::size_t part_ = 0;  // that is being filled
+  std::size_t part_ = 0;  // the part that is being filled
   bool filling_ = false;
-  std::uint64_t submission_ = 0;  // that is not waited for yet; 0: none
+  std::uint64_t submission_ = 0;  // not waited for yet; 0: none
   bool inPass_ = false;
   bool rendering_ = false;
 
   const Pipeline* pipeline_ = nullptr;
   std::uint64_t boundFor_ = 0;  // the command that followed the last bind
-  // What is bound at each slot, graphics and compute apart.
+  // What is bound at each slot, separately for graphics and compute.
   std::array<std::array<Binding, maxSlots>, 2> bound_;
 
   std::array<tape::ImageBarrier, maxSlots> imageBarriers_;

@@ -15,8 +15,8 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
   commands().add(tape::Dispatch{0, groupsX, groupsY, groupsZ});
 }
 
-// Of one dispatch or draw. Displays' devices are reset when they do one thing for some 2 s; an
-// integrated one does 3e9 rounds a second at worst.
+// The most rounds of one dispatch or draw. Drivers reset a device with a display when one command
+// takes some 2 s; a slow integrated device does 3e9 rounds per second.
 constexpr std::uint64_t mostRounds = std::uint64_t{1} << 31U;
 
 constexpr std::uint32_t sizeOfGroup = 64;
@@ -39,7 +39,7 @@ void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
   dispatchGroups((count + sizeOfGroup - 1) / sizeOfGroup, rounds);
 }
 
-// The lanes of a thing share its rounds.
+// The lanes of a thing share its rounds of work.
 void CommandList::dispatchLanes(std::uint32_t count, std::uint32_t rounds) {
   const std::uint32_t lanes = device_.workGroups().lanes;
   const std::uint32_t things = sizeOfGroup / lanes;

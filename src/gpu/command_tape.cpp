@@ -42,13 +42,13 @@ VkRenderingAttachmentInfo attachmentOf(const Target& target) {
   info.imageLayout = target.layout;
   info.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
   info.storeOp = target.write ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
-  // Of a depth target the first number, which lies where the first of a colour does.
+  // For a depth target only the first number counts, which is at the same place as a colour's.
   std::copy(target.clearBits.begin(), target.clearBits.end(),
             std::begin(info.clearValue.color.uint32));
   return info;
 }
 
-// Tells Vulkan of one command after the other.
+// Records the commands of a tape one by one.
 class Recorder {
  public:
   Recorder(const Device& device, VkCommandBuffer to, const ImageBarrier* imageBarriers,
@@ -203,7 +203,7 @@ class Recorder {
   const Device& device_;
   const DeviceFunctions& vk_;
   VkCommandBuffer to_;
-  // What comes next.
+  // The next entries of the tape.
   const ImageBarrier* imageBarriers_;
   const Resource* resources_;
   const std::byte* constants_;

@@ -16,7 +16,7 @@ namespace opaline::gpu {
 class AccelerationStructure;
 class Device;
 
-/// What the commands of a tape are: all that Vulkan is told of each, and nothing else.
+/// The commands of a tape, each with all that Vulkan is told and nothing else.
 namespace tape {
 
 struct Barriers {
@@ -45,7 +45,7 @@ struct BindResources {
 struct Resource {
   std::uint32_t slot = 0;
   VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-  // What the type asks for.
+  // Which of these are set depends on the type.
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offset = 0;
   VkDeviceSize range = 0;
@@ -88,7 +88,7 @@ struct Target {
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   bool clear = true;
   bool write = true;
-  std::array<std::uint32_t, 4> clearBits{};  // of floats
+  std::array<std::uint32_t, 4> clearBits{};  // bits of floats
   bool operator==(const Target&) const = default;
 };
 struct EndRendering {
@@ -141,7 +141,7 @@ struct ClearImage {
 struct BuildStructure {
   enum class Part { Triangles, RefitTriangles, Bodies };
   AccelerationStructure* structure = nullptr;
-  VkAccelerationStructureKHR handle = VK_NULL_HANDLE;  // another structure may lie at its place
+  VkAccelerationStructureKHR handle = VK_NULL_HANDLE;  // a new structure may have the same address
   Part part = Part::Triangles;
   bool operator==(const BuildStructure&) const = default;
 };
@@ -158,7 +158,7 @@ struct WriteTimestamp {
   bool operator==(const WriteTimestamp&) const = default;
 };
 struct BeginLabel {
-  const char* name = nullptr;  // a literal
+  const char* name = nullptr;  // a string literal
   bool operator==(const BeginLabel&) const = default;
 };
 struct EndLabel {
@@ -172,8 +172,8 @@ using Command =
 
 }  // namespace tape
 
-/// Commands before Vulkan is told of them. Tapes that are equal make the same command buffer, as
-/// long as their handles mean the same objects. One that is used again for as much allocates
+/// Commands before they are recorded with Vulkan. Equal tapes make the same command buffer, as long
+/// as their handles mean the same objects. A tape that is reused for as many commands allocates
 /// nothing.
 class CommandTape {
  public:
@@ -188,14 +188,14 @@ class CommandTape {
            std::span<const std::byte> constants);
   void add(const tape::BeginRendering& begin, std::span<const tape::Target> targets);
 
-  /// Records all of them. At most so many resources or images stand in one command, and so many
-  /// colours are drawn into.
+  /// Records all commands. One command has at most maxResources resources, images or colour
+  /// targets.
   static constexpr std::size_t maxResources = 32;
   void record(const Device& device, VkCommandBuffer to) const;
 
  private:
   std::vector<tape::Command> commands_;
-  // What commands of different lengths speak of, in the order of the commands.
+  // Data of variable length, in the order of the commands.
   std::vector<tape::ImageBarrier> imageBarriers_;
   std::vector<tape::Resource> resources_;
   std::vector<std::byte> constants_;

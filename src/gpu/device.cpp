@@ -39,7 +39,7 @@ VkSemaphoreSubmitInfo submitInfoOf(const SemaphoreValue& point) {
   return info;
 }
 
-// Held while the queue is used, where its owner shares it with others.
+// Held while the queue is used, if its owner shares it with other threads.
 class QueueLock {
  public:
   QueueLock(const std::function<void()>& lock, const std::function<void()>& unlock)
@@ -83,7 +83,7 @@ const char* toString(DeviceType type) {
 }
 
 void Device::destroyObjects() {
-  if (vk_.vkDestroyDevice == nullptr) {  // of a device that has just been opened, if at all
+  if (vk_.vkDestroyDevice == nullptr) {  // an exception came before the functions were loaded
     if (!ownInstance_ || device_ == VK_NULL_HANDLE) return;
     const PFN_vkVoidFunction destroy = ofInstance_.vkGetDeviceProcAddr(device_, "vkDestroyDevice");
     if (destroy != nullptr) reinterpret_cast<PFN_vkDestroyDevice>(destroy)(device_, nullptr);
@@ -129,7 +129,7 @@ std::uint64_t Device::submit(std::span<const VkCommandBuffer> commands,
   info.pCommandBufferInfos = buffers.data();
   info.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signals.size() + 1);
   info.pSignalSemaphoreInfos = signaled.data();
-  // What is drawn is compiled again there, for the state that it meets.
+  // Software devices compile draws at submission, for the state that they meet.
   if (info_.type == DeviceType::Software)
     requireHostRoom(roomToCompile, "submit work to the device");
   submissions_.makeRoom();
@@ -144,8 +144,8 @@ void Device::waitFor(std::uint64_t submission) {
   destroyRetired();
 }
 
-// A device that has too little memory to wait is asked again: what it uses must not go before. Of a
-// given device only what is ours is waited for: others may work with it, and with its queues.
+// A wait that fails for lack of memory is repeated, because objects in use must not be destroyed.
+// On a given device it waits only for our own work: others may use the device and its queues.
 void Device::waitUntilIdle() {
   constexpr int attempts = 100;
   for (int i = 0; i < attempts; ++i) {
@@ -159,7 +159,7 @@ void Device::retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, 
   if (handle == 0) return;
   try {
     retired_.add(lent ? submitted() + 1 : submitted(), type, handle, bytes);
-  } catch (const std::bad_alloc&) {  // destructors come here, which must not fail
+  } catch (const std::bad_alloc&) {  // called by destructors, which must not throw
     waitUntilIdle();
     RetiredObjects::destroy(type, handle, device_, vk_, rays_);
     memoryBytes_ -= bytes;
@@ -239,7 +239,7 @@ void Device::setName(VkObjectType type, std::uint64_t handle, const std::string&
   info.objectType = type;
   info.objectHandle = handle;
   info.pObjectName = name.c_str();
-  setObjectName_(device_, &info);  // without a name it is as good
+  setObjectName_(device_, &info);  // a failure does no harm
 }
 
 void Device::beginLabel(VkCommandBuffer commands, const char* name) const {

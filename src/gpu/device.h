@@ -36,22 +36,22 @@ struct DeviceInfo {
   std::string driver;  ///< name and version
   DeviceType type = DeviceType::Software;
   bool rayQueries = false;  ///< has VK_KHR_ray_query
-  std::string missing;      ///< what Opaline needs and the device lacks; empty: it will do
+  std::string missing;      ///< what Opaline needs and the device lacks; empty if nothing
 };
 
 struct DeviceOptions {
   std::string selector;     ///< index or part of a name (any case); empty: the best there is
   bool validation = false;  ///< load the validation layer, messages go to `log`
   LogCallback log;
-  std::vector<std::string> instanceExtensions;  ///< beside those that Opaline needs itself
-  std::vector<std::string> deviceExtensions;    ///< the same of the device
-  std::optional<bool> rayQueries;               ///< use them; empty: where they are hardware's
-  std::optional<std::size_t> mostMemoryBytes;   ///< that buffers and images may take together
-  const GivenVulkan* given = nullptr;           ///< work on that device instead of opening one
-  std::span<const std::byte> pipelineCache;     ///< as Device::pipelineCache() returned it
+  std::vector<std::string> instanceExtensions;  ///< in addition to those that Opaline needs itself
+  std::vector<std::string> deviceExtensions;    ///< the same for the device
+  std::optional<bool> rayQueries;  ///< whether to use them; empty: if hardware supports them
+  std::optional<std::size_t> mostMemoryBytes;  ///< limit for buffers and images together
+  const GivenVulkan* given = nullptr;          ///< device to use instead of opening one
+  std::span<const std::byte> pipelineCache;    ///< as Device::pipelineCache() returned it
 };
 
-/// For AccelerationStructure: what the device has for it.
+/// The device's functions for AccelerationStructure.
 struct RayFunctions {
   PFN_vkCreateAccelerationStructureKHR create = nullptr;
   PFN_vkDestroyAccelerationStructureKHR destroy = nullptr;
@@ -61,20 +61,19 @@ struct RayFunctions {
   VkDeviceSize scratchAlignment = 0;
 };
 
-/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer, its own or given.
-/// Numbers what is handed to the queue, from 1 on, and counts the memory that buffers and images
-/// take.
+/// One Vulkan 1.3 device, opened or given, with one queue for graphics, compute and transfer. It
+/// numbers submissions from 1 on, and counts the memory of buffers and images.
 class Device {
  public:
-  /// Discrete, integrated, virtual, then software. Throws Error when there is no Vulkan device that
-  /// can do what is needed, UsageError when the selector names none of those there are, ray queries
-  /// are wanted of a device without, or a given device was made without something needed.
+  /// Prefers discrete, integrated, virtual and software devices in this order. Throws Error when no
+  /// Vulkan device meets the needs; UsageError when the selector fits none, ray queries are
+  /// requested of a device without them, or a given device lacks something needed.
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// Every device of this machine; empty where there is no Vulkan.
+  /// Every device of this machine; empty without Vulkan.
   static std::vector<DeviceInfo> list();
 
   const DeviceInfo& info() const { return info_; }
@@ -88,48 +87,48 @@ class Device {
   std::size_t largestBufferBytes() const { return largestBufferBytes_; }
 
   std::size_t peakMemoryBytes() const { return peakMemoryBytes_; }
-  /// Of what has not been destroyed.
+  /// Memory of all objects that have not been destroyed.
   std::size_t memoryBytes() const { return memoryBytes_; }
   /// Warnings and errors of the validation layer so far.
   std::size_t validationMessages() const;
 
-  /// Hands commands to the queue, one buffer after the other, under its lock. Returns the number of
-  /// this submission. `waits` come before all of them, `signals` after.
+  /// Submits command buffers to the queue in order, under its lock, between `waits` and `signals`.
+  /// Returns the number of the submission.
   static constexpr std::size_t mostBuffers = 4;
   static constexpr std::size_t mostSemaphores = 16;
   std::uint64_t submit(std::span<const VkCommandBuffer> commands,
                        std::span<const SemaphoreValue> waits = {},
                        std::span<const SemaphoreValue> signals = {});
-  /// Numbers what others will submit, as if it had been now. `done` is reached when it has
-  /// finished.
+  /// Numbers work that the caller will submit, as if it were submitted now. `done` is reached when
+  /// it has finished.
   std::uint64_t expect(const SemaphoreValue& done) {
     return submissions_.add(done, Submissions::By::Others);
   }
   /// The number of the last submission.
   std::uint64_t submitted() const { return submissions_.last(); }
-  /// Blocks until the device has finished a submission, and with it all before. Throws Error when
-  /// the device is lost.
+  /// Blocks until the device has finished a submission and all earlier ones. Throws Error when the
+  /// device is lost.
   void waitFor(std::uint64_t submission);
 
-  /// Commands were given up that had been noted as accesses of resources: the next list waits for
-  /// all work before it.
+  /// Notes that commands were dropped whose accesses resources remember: the next list waits for
+  /// all earlier work.
   void noteAbandoned() { abandoned_ = true; }
   bool takeAbandoned() { return std::exchange(abandoned_, false); }
 
-  /// Destroys an object as soon as the device has finished all that was submitted up to now.
-  /// `lent`: others' submissions to the queue may use it too; the next submission of this device
-  /// comes after theirs.
+  /// Destroys an object as soon as the device has finished all that has been submitted so far.
+  /// `lent`: submissions of the caller's may use it too; then it also has to wait for the next
+  /// submission of this device, which comes after theirs.
   template <typename Handle>
   void retire(VkObjectType type, Handle handle, bool lent = false) {
     retire(type, reinterpret_cast<std::uint64_t>(handle), 0, lent);
   }
 
-  /// How many objects have been retired: while that stays the same, a handle that was valid still
+  /// How many objects have been retired. While the number stays the same, a valid handle still
   /// means the same object.
   std::uint64_t retired() const { return retired_.count(); }
 
-  /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
-  /// is asked for. Throws Error when there is none left.
+  /// For Buffer and GpuImage: allocates and counts memory; `addressed` if the buffer's address is
+  /// needed. Throws Error when there is none left.
   VkDeviceMemory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags preferred, const std::string& name,
                           bool addressed = false);
@@ -148,17 +147,17 @@ class Device {
   const DeviceFunctions& vk() const { return vk_; }
   const InstanceFunctions& instanceFunctions() const { return ofInstance_; }
 
-  /// For Pipeline, whose compilations it keeps.
+  /// For Pipeline: the cache that keeps its compilations.
   VkPipelineCache pipelineCacheHandle() const { return pipelineCache_; }
-  /// What spares later runs on the same device and driver most compilations.
+  /// Data that spares later runs on the same device and driver most compilations.
   std::vector<std::byte> pipelineCache() const;
 
-  /// Of all lists' commands.
+  /// The order of the commands of all lists.
   CommandOrder& commandOrder() { return commandOrder_; }
 
   const WorkGroups& workGroups() const { return workGroups_; }
 
-  /// That fits it best.
+  /// The variant of shaders that suits the device best.
   ShaderVariant shaderVariant() const { return shaderVariant_; }
 
   /// Whether shaders may send rays through acceleration structures.
@@ -182,7 +181,7 @@ class Device {
   VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
                              const std::string& name, bool addressed);
 
-  std::unique_ptr<Instance> ownInstance_;  // none where the device was given
+  std::unique_ptr<Instance> ownInstance_;  // null if the device was given
   std::function<void()> lockQueue_;
   std::function<void()> unlockQueue_;
   VkInstance instance_ = VK_NULL_HANDLE;
@@ -194,7 +193,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
   VkSemaphore timeline_ = VK_NULL_HANDLE;  // counts the submissions of this device
-  std::uint64_t timelineValue_ = 0;        // once all of them have finished
+  std::uint64_t timelineValue_ = 0;        // its value once all of them have finished
   Submissions submissions_;
   bool abandoned_ = false;
   CommandOrder commandOrder_;

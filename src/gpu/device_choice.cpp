@@ -30,7 +30,7 @@ DeviceType typeOf(VkPhysicalDeviceType type) {
   }
 }
 
-/// A physical device, and the functions that tell of it.
+/// A physical device and the functions that query it.
 struct Asked {
   const InstanceFunctions& vk;
   VkPhysicalDevice physical;
@@ -91,7 +91,7 @@ struct Asked {
   }
 };
 
-/// Of the formats and uses that Vulkan leaves open to devices.
+/// A format and its uses that Vulkan does not guarantee.
 struct FormatNeed {
   VkFormat format;
   VkFormatFeatureFlags features;
@@ -134,7 +134,7 @@ std::optional<std::size_t> asIndex(const std::string& selector, std::size_t coun
     return std::nullopt;
   }
   const std::size_t index = std::stoul(selector);
-  if (index >= count) return std::nullopt;  // it may still be part of a name, as in "4090"
+  if (index >= count) return std::nullopt;  // the number may still be part of a name, as in "4090"
   return index;
 }
 

@@ -17,21 +17,20 @@ struct InstanceFunctions;
 /// Name, driver and type of a device, and what it lacks.
 DeviceInfo describe(const InstanceFunctions& vk, VkPhysicalDevice physical, std::uint32_t index);
 
-/// What is said of a device that lacks something.
+/// The message about a device that lacks something.
 std::string unfitMessage(const DeviceInfo& device);
 
-/// Most storage buffers of a shader, which cmake/shader_interface.py watches, and of a pipeline,
+/// The most storage buffers of a shader, which cmake/shader_interface.py checks, and of a pipeline,
 /// which asserts it.
 constexpr std::uint32_t storageBuffersOfStage = 16;
-/// The same where tables are read as storage (ShaderVariant).
+/// The same if tables are read as storage (ShaderVariant).
 constexpr std::uint32_t storageBuffersForTexels = 24;
 
-/// What a device lacks of limits and of features of formats, which it may have by `featuresOf`;
-/// empty: nothing.
+/// What a device's limits and its formats' features (`featuresOf`) lack; empty if nothing.
 std::string lackOfRoom(const VkPhysicalDeviceLimits& limits);
 std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf);
 
-/// Whether it may read tables as storage.
+/// Whether a device has enough storage buffers to read tables as storage.
 bool hasRoomForTexels(const VkPhysicalDeviceLimits& limits);
 
 /// A queue family that does graphics and compute (and so transfer).

@@ -26,8 +26,8 @@ std::vector<DeviceInfo> describeAll(const InstanceFunctions& vk,
   return infos;
 }
 
-// A software device has no hardware for rays: compute shaders, which know what they are looking
-// for, are faster there.
+// A software device has no hardware for rays. Compute shaders are faster there, as they are
+// specialised.
 bool usesRayQueries(const DeviceInfo& info, std::optional<bool> wanted) {
   if (wanted == true && !info.rayQueries) {
     throw UsageError(
@@ -38,7 +38,7 @@ bool usesRayQueries(const DeviceInfo& info, std::optional<bool> wanted) {
   return wanted.value_or(info.rayQueries && info.type != DeviceType::Software);
 }
 
-// What of a given device is not as it has to be, of what it does not take Vulkan to see.
+// Throws UsageError for errors in a given device that can be seen without calling Vulkan.
 void requireWhole(const DeviceOptions& options) {
   const GivenVulkan& given = *options.given;
   const auto refuse = [](const std::string& why) { throw UsageError("GivenVulkan: " + why); };
@@ -70,7 +70,7 @@ bool canQueryRays(const GivenVulkan& given) {
 }  // namespace
 
 std::vector<DeviceInfo> Device::list() {
-  // Where drivers do not fit they are passed over, as if there were none.
+  // Without memory for drivers, the loader would skip them as if there were none.
   requireHostRoom(roomToOpenDevice, "list the devices");
   try {
     const Instance instance;
@@ -193,7 +193,7 @@ void Device::loadFunctions(PFN_vkGetInstanceProcAddr load, bool rayQueries) {
     loadRayFunctions();
     shaderVariant_ = ShaderVariant::RayQueries;
   }
-  // Null where the instance was made without VK_EXT_debug_utils.
+  // Null if the instance was made without VK_EXT_debug_utils.
   setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
       load(instance_, "vkSetDebugUtilsObjectNameEXT"));
   beginLabel_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(

@@ -168,7 +168,7 @@ void GpuImage::createViews() {
   const std::uint32_t layers = options_.layers;
   const std::uint32_t levels = options_.mipLevels;
   view_ = createView(viewTypeOf(options_.kind), {aspect(), 0, levels, 0, layers});
-  // A view's slot exists before the view does, so that nothing is lost when a creation throws.
+  // A view's slot exists before the view, so that no view leaks when a creation throws.
   if ((options_.usage & (attachmentUsage | VK_IMAGE_USAGE_STORAGE_BIT)) != 0) {
     layerViews_.assign(std::size_t{layers} * levels, VK_NULL_HANDLE);
     for (std::uint32_t i = 0; i < layers * levels; ++i) {

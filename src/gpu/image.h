@@ -13,14 +13,14 @@ namespace opaline::gpu {
 
 class Device;
 
-/// Of the formats that Opaline uses; 0 for any other.
+/// Bytes per texel of the formats that Opaline uses; 0 for any other.
 std::size_t bytesPerTexel(VkFormat format);
 
-/// How many samples a texel of an image of that format may have; one bit for each count.
+/// The numbers of samples that a texel of an image of that format may have, one bit for each.
 VkSampleCountFlags sampleCountsOf(const Device& device, VkFormat format, VkImageUsageFlags usage);
 
 enum class ImageKind {
-  Flat,       ///< sampler2D, or sampler2DMS of several samples
+  Flat,       ///< sampler2D, or sampler2DMS with several samples
   Array,      ///< sampler2DArray
   CubeArray,  ///< samplerCubeArray; layers is a multiple of 6
 };
@@ -35,15 +35,15 @@ struct ImageOptions {
   VkImageUsageFlags usage = 0;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   ImageKind kind = ImageKind::Flat;
-  bool lent = false;  ///< others submit work to the queue that uses it
+  bool lent = false;  ///< the caller submits work to the queue that uses it
 };
 
-/// A target of someone else's, who has drawn into it as attachment before, if at all.
+/// A target of the caller's. Earlier uses, if any, were as an attachment.
 struct BorrowedTarget {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;
   VkFormat format = VK_FORMAT_UNDEFINED;
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< kept; any that attachments may have
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< any that attachments may have; is kept
   VkExtent2D extent{};
 };
 
@@ -51,7 +51,7 @@ struct BorrowedTarget {
 class GpuImage {
  public:
   GpuImage() = default;
-  /// To be drawn into, and nothing else.
+  /// An image that can only be drawn into.
   static GpuImage borrowed(const BorrowedTarget& target);
   GpuImage(Device& device, const ImageOptions& options);
   ~GpuImage();
@@ -62,7 +62,7 @@ class GpuImage {
 
   explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
   VkImage handle() const { return image_; }
-  /// What is in it is not needed, whatever has been recorded for it; see CommandList::abandon.
+  /// Forgets the contents and all recorded accesses; see CommandList::abandon.
   void forget() { state_ = {}; }
   bool isBorrowed() const { return device_ == nullptr; }
   const ImageOptions& options() const { return options_; }
@@ -92,7 +92,7 @@ class GpuImage {
   std::vector<VkImageView> layerViews_;  // layer + layers · level
   std::vector<VkImageView> levelViews_;
   AccessState state_;  // of the whole image
-  // One more than the last layer that was attached, where attachments are the last access.
+  // One more than the last layer that was attached, if the last access was as an attachment.
   std::uint32_t attachedLayers_ = 0;
 };
 

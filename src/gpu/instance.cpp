@@ -65,10 +65,10 @@ VkInstance start(const VkInstanceCreateInfo& info) {
   return instance;
 }
 
-// With the last instance the loader closes the drivers, and with the next it opens them again. A
-// process can do that only so often: with NVIDIA's 580 the 32nd instance found no device. So one
-// stays until the process ends. Drivers have registered what they do at exit before this is made,
-// so that they do it after this is destroyed.
+// The loader closes drivers with the last instance and opens them again with the next. A process
+// can do that only so often: with NVIDIA's driver 580 the 32nd instance found no device. So one
+// instance stays until the process ends. It is made after drivers have registered their exit
+// handlers, and so is destroyed before these run.
 class KeptInstance {
  public:
   KeptInstance() {
@@ -91,7 +91,7 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(Instance* instance) {
   info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
   info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                          VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  // Not GENERAL: that is the loader speaking of other drivers on the machine.
+  // Not GENERAL, by which the loader reports on other drivers of the machine.
   info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT |
                      VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
   info.pfnUserCallback = onMessage;
@@ -137,7 +137,8 @@ void Instance::create(bool validation, const std::vector<std::string>& wanted) {
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(this);
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  info.pNext = validation ? &messenger : nullptr;  // hears vkCreateInstance and vkDestroyInstance
+  info.pNext = validation ? &messenger : nullptr;  // receives messages of vkCreateInstance and
+                                                   // vkDestroyInstance
   info.pApplicationInfo = &application;
   info.enabledLayerCount = validation ? 1 : 0;
   info.ppEnabledLayerNames = &validationLayer;
@@ -159,7 +160,7 @@ Instance::~Instance() {
 std::vector<VkPhysicalDevice> Instance::physicalDevices() const {
   std::uint32_t count = 0;
   const VkResult result = vkEnumeratePhysicalDevices(instance_, &count, nullptr);
-  // A driver that fails to start, such as one whose hardware is not there, counts as no device.
+  // A driver that fails to start, for example for lack of its hardware, counts as no device.
   if (result == VK_ERROR_INITIALIZATION_FAILED) return {};
   check(result, "list the devices");
   std::vector<VkPhysicalDevice> devices(count);

@@ -11,11 +11,11 @@
 
 namespace opaline::gpu {
 
-/// The connection to the Vulkan loader, with the validation layer where asked for.
+/// The connection to the Vulkan loader, with the validation layer if requested.
 class Instance {
  public:
-  /// With these extensions beside its own. Throws Error when there is no driver, or no validation
-  /// layer or extension although it was asked for.
+  /// `extensions` are added to its own. Throws Error when there is no driver, or when the
+  /// validation layer or an extension is missing.
   explicit Instance(bool validation = false, LogCallback log = {},
                     const std::vector<std::string>& extensions = {});
   ~Instance();
@@ -39,7 +39,7 @@ class Instance {
   std::atomic<std::size_t> messages_ = 0;
 };
 
-/// What is said where there is no driver or no device.
+/// The message for a machine without a driver or device.
 extern const char* const noDeviceMessage;
 
 }  // namespace opaline::gpu

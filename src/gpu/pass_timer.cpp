@@ -60,14 +60,14 @@ void PassTimer::begin(CommandTape& commands, const char* name) {
   }
   names_[count_] = name;
   if (pool_ == VK_NULL_HANDLE) return;
-  // The largest picture has thousands of passes, most others few.
+  // The largest pictures have thousands of passes, most have few.
   constexpr std::uint32_t passesAtOnce = 64;
   if (count_ % passesAtOnce == 0) {
     const auto left = static_cast<std::uint32_t>(names_.size()) - count_;
     commands.add(tape::ResetQueries{pool_, 2 * count_, 2 * std::min(passesAtOnce, left)});
   }
   commands.add(tape::WriteTimestamp{pool_, 2 * count_});
-  // Mesa's software device looks at the clock where the next barrier stands.
+  // Mesa's software device reads the clock only at the next barrier.
   if (device_.info().type == DeviceType::Software)
     commands.add({.fromStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   .toStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT},
@@ -99,8 +99,8 @@ void PassTimer::collect() {
 }
 
 double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
-  // The mask makes a counter that wrapped around come out right. One that went back a little, as
-  // software devices' do between cores, counts as no time.
+  // The mask corrects a counter that wrapped around. A counter that went back a little, as software
+  // devices' do between cores, counts as no time.
   const std::uint64_t ticks = (to - from) & mask_;
   return ticks > mask_ / 2 ? 0 : static_cast<double>(ticks) * millisecondsPerTick_;
 }
@@ -113,7 +113,7 @@ void PassTimer::add(const std::string& name, double milliseconds) {
     same->milliseconds += milliseconds;
     return;
   }
-  // The entries of the last frame are written over, so that their strings need no new memory.
+  // The entries of the last frame are overwritten, so that their strings need no new memory.
   if (named_ == timings_.size()) timings_.emplace_back();
   timings_[named_].name = name;
   timings_[named_].milliseconds = milliseconds;

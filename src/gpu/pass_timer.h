@@ -18,7 +18,7 @@ struct PassTiming {
   double milliseconds = 0;
 };
 
-/// Pairs of timestamps around the passes of one submission. Where the device's queue has no
+/// Pairs of timestamps around the passes of one submission. If the device's queue has no
 /// timestamps, passes take 0 ms.
 class PassTimer {
  public:
@@ -27,7 +27,7 @@ class PassTimer {
   PassTimer(const PassTimer&) = delete;
   PassTimer& operator=(const PassTimer&) = delete;
 
-  /// First of a submission.
+  /// Has to be the first call of a submission.
   void reset();
   /// Throws Error when there are more than maxPasses.
   void begin(CommandTape& commands, const char* name);
@@ -35,7 +35,7 @@ class PassTimer {
 
   /// Reads the timestamps of a submission that has finished.
   void collect();
-  /// As collected last.
+  /// The times that were collected last.
   const std::vector<PassTiming>& timings() const { return timings_; }
   double frameMilliseconds() const { return frameMilliseconds_; }
 
@@ -51,7 +51,7 @@ class PassTimer {
   std::vector<std::string> names_;
   std::vector<std::uint64_t> ticks_;
   std::vector<PassTiming> timings_;
-  std::size_t named_ = 0;  // how many of them have been filled in
+  std::size_t named_ = 0;  // how many of `timings_` have been filled in
   double frameMilliseconds_ = 0;
 };
 

@@ -24,7 +24,7 @@ namespace {
 // shade/sky_blocks.comp.glsl.
 constexpr std::uint32_t firstWorkGroupId = 16;
 
-/// The values of constant_id 0, 1, 2, … and the sizes of work groups that the device chooses; must
+/// The values of constant_id 0, 1, 2, … and the sizes of work groups chosen for the device. It must
 /// outlive the pipeline's creation.
 class Specialization {
  public:
@@ -94,7 +94,8 @@ VkPipelineRasterizationStateCreateInfo rasterizationOf(CullMode cull) {
   info.cullMode = cull == CullMode::Back    ? VK_CULL_MODE_BACK_BIT
                   : cull == CullMode::Front ? VK_CULL_MODE_FRONT_BIT
                                             : VK_CULL_MODE_NONE;
-  // Vulkan's sign of area already accounts for y pointing down, so this is what the eye sees.
+  // Vulkan's sign of area already accounts for y pointing down, so this is counter-clockwise as
+  // seen.
   info.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   info.lineWidth = 1.0F;
   return info;
@@ -242,7 +243,7 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-/// What the device makes of a pipeline, once, whichever thread asks first.
+/// The device's compiled pipeline, which is made once, by the first thread that needs it.
 class Pipeline::Compiled {
  public:
   Compiled(Device& device, std::string name, std::function<VkPipeline()> compile)

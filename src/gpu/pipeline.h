@@ -19,7 +19,7 @@ class Device;
 
 VkDescriptorType descriptorTypeOf(BindingType type);
 
-/// Targets that a pass draws into at once.
+/// The most targets that a pass draws into at once.
 constexpr std::size_t maxColors = 8;
 
 enum class CullMode { None, Front, Back };
@@ -28,18 +28,18 @@ enum class DepthMode {
   Write,
   TestEqual,
   Test,
-  WriteOrEqual,          ///< what is as near passes too
-  WriteOrEqualOrdinary,  ///< the same where depth is not reversed
+  WriteOrEqual,          ///< equal depth passes too
+  WriteOrEqualOrdinary,  ///< the same for depth that is not reversed
 };
 enum class Blend {
   Off,
-  Over,  ///< colours have been multiplied with their alpha
+  Over,  ///< blends colours that are premultiplied by alpha
 };
 
 struct GraphicsOptions {
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;
-  DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
+  DepthMode depth = DepthMode::Off;  ///< reversed: Write passes nearer fragments
   Blend blend = Blend::Off;
   CullMode cull = CullMode::None;  ///< front is counter-clockwise as seen
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
@@ -47,7 +47,7 @@ struct GraphicsOptions {
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic
 /// viewport, one push-descriptor set and push constants. The device compiles it when it is first
-/// bound, so that a process pays for the passes it runs. Movable.
+/// bound, so that a process pays only for the passes that it runs. Movable.
 class Pipeline {
  public:
   Pipeline() = default;
@@ -65,14 +65,14 @@ class Pipeline {
   VkShaderStageFlags stages() const;  ///< those that see the bindings and push constants
   std::uint32_t pushConstantBytes() const { return pushConstantBytes_; }
   bool hasSlot(std::uint32_t slot) const { return slot < 32 && (slots_ >> slot & 1U) != 0; }
-  /// Whether what is bound there is storage, of whichever variant of a shader.
+  /// Whether a slot is a storage buffer in the shader's variant.
   bool isStorage(std::uint32_t slot) const { return slot < 32 && (storage_ >> slot & 1U) != 0; }
 
  protected:
   /// `constants`: values of constant_id 0, 1, 2, …, four bytes each, of all stages.
   Pipeline(Device& device, const std::string& name, const Shader& shader,
            std::span<const std::byte> constants);
-  /// A fragment shader without words is none.
+  /// A fragment shader without words counts as none.
   Pipeline(Device& device, const std::string& name, const Shader& vertex, const Shader& fragment,
            const GraphicsOptions& options, std::span<const std::byte> constants);
 
@@ -88,11 +88,11 @@ class Pipeline {
   std::unique_ptr<Compiled> compiled_;
   VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
   std::uint32_t pushConstantBytes_ = 0;
-  std::uint32_t slots_ = 0;    // bit n: binding n is there
+  std::uint32_t slots_ = 0;    // bit n: binding n exists
   std::uint32_t storage_ = 0;  // bit n: it is a storage buffer
 };
 
-/// That a device's pipelines are made of.
+/// The variant that a device's pipelines are made from.
 ShaderVariant variantOf(const Device& device);
 
 template <typename Constants>

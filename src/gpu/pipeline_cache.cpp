@@ -9,7 +9,7 @@ namespace opaline::gpu {
 
 namespace {
 
-// Before the driver's data, which drivers trust as far as they recognize their own header.
+// Precedes the driver's data, because drivers trust any data that begins with their own header.
 struct Seal {
   std::array<char, 8> format{'O', 'P', 'A', 'L', 'P', 'S', 'O', '1'};
   std::uint64_t digest = 0;
@@ -21,7 +21,7 @@ Seal sealOf(std::span<const std::byte> data) {
   return {.digest = digest.value()};
 }
 
-// The driver's data, or nothing if anything else was given or a part of it changed.
+// The driver's data; empty if the data is anything else or has been changed.
 std::span<const std::byte> intact(std::span<const std::byte> given) {
   if (given.size() < sizeof(Seal)) return {};
   const std::span<const std::byte> data = given.subspan(sizeof(Seal));

@@ -11,20 +11,20 @@ namespace opaline::gpu {
 struct DeviceFunctions;
 struct RayFunctions;
 
-/// Objects that nobody will use again, but that a device may still be working with.
+/// Objects that are no longer needed, but that a device may still be using.
 class RetiredObjects {
  public:
   bool empty() const { return objects_.empty(); }
   /// How many have been added so far.
   std::uint64_t count() const { return count_; }
-  /// `bytes` of memory, where the object is that. The device uses it up to the submission of that
-  /// number. Throws std::bad_alloc, but counts the object.
+  /// Adds an object that the device uses up to the submission of that number; `bytes` if it is
+  /// memory. Throws std::bad_alloc, but counts the object even then.
   void add(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
-  /// Destroys those that a device which has finished that submission no longer uses, in the order
-  /// in which they were added. Returns how much memory that frees, bytes.
+  /// Destroys, in the order of adding, the objects that the device no longer uses once it has
+  /// finished that submission. Returns how many bytes of memory that frees.
   std::size_t destroyUpTo(std::uint64_t submission, VkDevice device, const DeviceFunctions& vk,
                           const RayFunctions& rays);
-  /// Destroys one that the device no longer uses.
+  /// Destroys an object that the device no longer uses.
   static void destroy(VkObjectType type, std::uint64_t handle, VkDevice device,
                       const DeviceFunctions& vk, const RayFunctions& rays);
 

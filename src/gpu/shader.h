@@ -23,19 +23,19 @@ struct BindingSlot {
   BindingType type = BindingType::StorageBuffer;
 };
 
-/// How shaders read tables of four floats (lib/texels.glsl), and whether they send rays by the
-/// device's queries. A shader that has not the variant has the one before.
+/// How shaders read tables of four floats (lib/texels.glsl), and whether they use the device's ray
+/// queries. A shader without a variant uses the one before it.
 enum class ShaderVariant { Texels, Storage, RayQueries };
 
-/// A compiled shader and what stands outside of it. cmake/shader_interface.py makes a struct of
-/// each, with its Push, Bindings and Constants beside its shader().
+/// A compiled shader and its interface. cmake/shader_interface.py makes a struct for each shader,
+/// with its Push, Bindings and Constants besides its shader().
 struct Shader {
   std::span<const std::uint32_t> words;
   std::span<const BindingSlot> slots;
   std::uint32_t pushConstantBytes = 0;  ///< at most 128
 };
 
-/// A member that cannot be left out of an initializer. Enumerators stand for their numbers.
+/// A member that cannot be left out of an initializer. Enumerators convert to their numbers.
 template <typename T>
 struct Required {
   // NOLINTBEGIN(google-explicit-constructor)

@@ -10,7 +10,7 @@
 namespace opaline::gpu {
 
 Submissions::Submissions() {
-  constexpr std::size_t mostOfMany = 256;  // set-up hands in a good hundred at once
+  constexpr std::size_t mostOfMany = 256;  // set-up submits more than a hundred at once
   unfinished_.reserve(mostOfMany);
 }
 
@@ -20,7 +20,7 @@ std::uint64_t Submissions::add(const SemaphoreValue& done, By by) {
 }
 
 std::uint64_t Submissions::finished(const DeviceFunctions& vk, VkDevice device) {
-  // Mostly of one semaphore, which need not be asked twice.
+  // Most points have the same semaphore, which need not be queried twice.
   SemaphoreValue known;
   const auto isOver = [&](const Point& point) {
     if (point.done.semaphore != known.semaphore) {
@@ -46,7 +46,7 @@ VkResult Submissions::tryWaitFor(std::uint64_t number, const DeviceFunctions& vk
     info.pValues = &point.done.value;
     const VkResult result =
         vk.vkWaitSemaphores(device, &info, point.by == By::Others ? minute : UINT64_MAX);
-    // Some drivers end the longest wait early.
+    // Some drivers end even the longest wait early.
     if (result == VK_TIMEOUT && point.by == By::Device) continue;
     if (result != VK_SUCCESS) return result;
     unfinished_.erase(unfinished_.begin());

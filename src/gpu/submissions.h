@@ -15,27 +15,27 @@ struct SemaphoreValue {
   std::uint64_t value = 0;
 };
 
-/// What was handed to a queue, by this device or in others' submissions, numbered in its order from
-/// 1 on, and what tells when it has finished.
+/// Submissions to a queue, by this device or by the caller, numbered in order from 1 on, and the
+/// semaphores that tell when they have finished.
 class Submissions {
  public:
   Submissions();
 
   enum class By { Device, Others };
-  /// The number of what will have finished once `done` is reached.
+  /// Adds the submission that has finished once `done` is reached. Returns its number.
   std::uint64_t add(const SemaphoreValue& done, By by);
-  /// Of the last.
+  /// The number of the last submission.
   std::uint64_t last() const { return last_; }
 
-  /// Up to which number all have finished. A lost device cannot say; then it stays as it was.
+  /// The number up to which all have finished. For a lost device it no longer changes.
   std::uint64_t finished(const DeviceFunctions& vk, VkDevice device);
-  /// Before something is submitted, so that nothing fails between that and add().
+  /// Has to be called before submitting, so that add() cannot fail afterwards.
   void makeRoom() { unfinished_.reserve(unfinished_.size() + 1); }
 
   /// Blocks until all up to that number have finished. Throws Error when the device is lost, and
-  /// when others have not submitted in a minute what they recorded.
+  /// when the caller has not submitted recorded work within a minute.
   void waitFor(std::uint64_t number, const DeviceFunctions& vk, VkDevice device);
-  /// The same without exceptions: VK_TIMEOUT for what others have not submitted.
+  /// The same without exceptions: VK_TIMEOUT for work that the caller has not submitted.
   VkResult tryWaitFor(std::uint64_t number, const DeviceFunctions& vk, VkDevice device);
 
  private:
@@ -44,7 +44,7 @@ class Submissions {
     SemaphoreValue done;
     By by = By::Device;
   };
-  std::vector<Point> unfinished_;  // as far as it is known
+  std::vector<Point> unfinished_;  // not known to have finished
   std::uint64_t last_ = 0;
 };
 

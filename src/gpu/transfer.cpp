@@ -97,7 +97,7 @@ UploadRing::UploadRing(Device& device, const std::string& name, std::size_t byte
 
 void UploadRing::nextFrame() {
   slice_ = (slice_ + 1) % submissions_.size();
-  // A frame that was given up has not been submitted.
+  // An abandoned frame was never submitted.
   device_.waitFor(std::min(submissions_[slice_], device_.submitted()));
   submissions_[slice_] = device_.submitted() + 1;
   used_ = 0;

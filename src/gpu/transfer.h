@@ -13,8 +13,8 @@ namespace opaline::gpu {
 
 class Device;
 
-/// A device buffer that holds a copy of `data` for what is submitted from now on. For set-up, not
-/// for frames. Empty data gives a buffer of 16 zero bytes, so that it can always be bound.
+/// Makes a device buffer with a copy of `data`, for work that is submitted from now on. For set-up,
+/// not for frames. Empty data gives 16 zero bytes, so that the buffer can always be bound.
 Buffer makeBuffer(Device& device, const std::string& name, std::span<const std::byte> data,
                   VkBufferUsageFlags usage);
 template <typename T>
@@ -23,25 +23,25 @@ Buffer makeBuffer(Device& device, const std::string& name, const std::vector<T>&
   return makeBuffer(device, name, std::as_bytes(std::span<const T>(data)), usage);
 }
 
-/// Fills one layer and level of an image for what is submitted from now on. For set-up, not for
-/// frames.
+/// Fills one layer and level of an image, for work that is submitted from now on. For set-up, not
+/// for frames.
 void uploadImage(Device& device, GpuImage& image, std::span<const std::byte> texels,
                  std::uint32_t layer = 0, std::uint32_t level = 0);
 
-/// Copies back; blocks. `bytesPerTexel` must fit the image's format.
+/// Copies texels to the host; blocks. `bytesPerTexel` must fit the image's format.
 std::vector<std::byte> readImage(Device& device, GpuImage& image, std::size_t bytesPerTexel,
                                  std::uint32_t layer = 0, std::uint32_t level = 0);
 std::vector<std::byte> readBuffer(Device& device, Buffer& buffer);
 
-/// Host-visible memory for what changes every frame, in as many slices as frames may be in flight.
-/// Nothing is allocated after construction.
+/// Host-visible memory for data that changes every frame, with one slice per frame in flight. It
+/// allocates nothing after construction.
 class UploadRing {
  public:
   UploadRing(Device& device, const std::string& name, std::size_t bytesPerFrame,
              std::uint32_t frames, VkBufferUsageFlags usage);
 
-  /// Starts the next slice, for what is submitted next. Waits for the device where it may still
-  /// read what the slice held before.
+  /// Starts the next slice, for work that is submitted next. Waits until the device no longer reads
+  /// the slice's old data.
   void nextFrame();
   /// Copies `data` into the slice; returns its offset in buffer(), aligned for uniform and storage
   /// bindings. Throws Error when the slice is full.
@@ -58,7 +58,7 @@ class UploadRing {
   Buffer buffer_;
   std::size_t alignment_ = 256;
   std::size_t sliceBytes_ = 0;
-  std::vector<std::uint64_t> submissions_;  // that read each slice
+  std::vector<std::uint64_t> submissions_;  // the last that reads each slice
   std::size_t slice_ = 0;
   std::size_t used_ = 0;
 };

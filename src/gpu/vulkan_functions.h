@@ -4,7 +4,7 @@
 
 namespace opaline::gpu {
 
-// What the library calls of an instance and of a device.
+// The functions of an instance and of a device that the library calls.
 #define OPALINE_INSTANCE_FUNCTIONS(each)                                                           \
   each(vkCreateDevice) each(vkEnumerateDeviceExtensionProperties) each(vkGetDeviceProcAddr)        \
       each(vkGetPhysicalDeviceFeatures2) each(vkGetPhysicalDeviceFormatProperties)                 \
@@ -61,8 +61,9 @@ struct DeviceFunctions {
 
 #undef OPALINE_FUNCTION_MEMBER
 
-/// By whoever made the instance; vkGetInstanceProcAddr itself stands for the loader that the
-/// library is linked with. Throw Error for a function that is not there.
+/// Load functions by `load`, which belongs to the maker of the instance. vkGetInstanceProcAddr
+/// itself means the loader that the library is linked with. Throw Error for a function that does
+/// not exist.
 InstanceFunctions loadInstanceFunctions(PFN_vkGetInstanceProcAddr load, VkInstance instance);
 DeviceFunctions loadDeviceFunctions(const InstanceFunctions& functions, VkDevice device);
 

@@ -13,7 +13,7 @@ namespace gpu {
 
 namespace {
 
-/// Where a structure has a feature.
+/// The place of a feature in a structure.
 struct FeaturePlace {
   VkStructureType structure;
   std::size_t offset;
@@ -60,7 +60,8 @@ constexpr FeatureNeed featureNeeds[] = {
      {{ofVulkan13(offsetof(VkPhysicalDeviceVulkan13Features, synchronization2)),
        {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SYNCHRONIZATION_2_FEATURES,
         offsetof(VkPhysicalDeviceSynchronization2Features, synchronization2)}}}},
-    // What glslc's SPIR-V 1.6 asks for: work-group sizes by specialization constant, and `discard`.
+    // Required by glslc's SPIR-V 1.6 for work-group sizes by specialization constant and for
+    // `discard`.
     {"maintenance4",
      FeatureUse::Always,
      {{ofVulkan13(offsetof(VkPhysicalDeviceVulkan13Features, maintenance4)),
@@ -94,7 +95,7 @@ constexpr FeatureNeed featureNeeds[] = {
        nowhere}}},
 };
 
-// Of a chain, where it has the feature; null where it has no structure for it.
+// The place of a feature in a chain; null if the chain has no structure for it.
 const VkBool32* placeIn(const void* chain, const FeatureNeed& need) {
   for (const auto* structure = static_cast<const VkBaseInStructure*>(chain); structure != nullptr;
        structure = structure->pNext)
@@ -105,7 +106,7 @@ const VkBool32* placeIn(const void* chain, const FeatureNeed& need) {
   return nullptr;
 }
 
-// The needs as data that lives as long as the process.
+// The needs, as data that lives as long as the process.
 struct NeedsOfProcess {
   NeedsOfProcess() {
     turnOn(FeatureUse::Always, required);

@@ -27,9 +27,9 @@ struct Features {
   Features(const Features&) = delete;
   Features& operator=(const Features&) = delete;
 
-  /// Adds those of ray queries, which not every device has.
+  /// Adds the structures of ray queries, which not every device has.
   void chainRayQueries();
-  /// Without the others.
+  /// Chains the structures of ray queries without the others.
   void chainRayQueriesAlone();
 
   VkPhysicalDeviceFeatures2 base{};
@@ -40,7 +40,7 @@ struct Features {
   VkPhysicalDeviceRayQueryFeaturesKHR rayQueries{};
 };
 
-/// Turns on all features of that use, which have their structures in the chain.
+/// Turns on all features of that use. Their structures have to be in the chain.
 void turnOn(FeatureUse use, Features& features);
 
 /// The names of features of that use that are not on in a chain, which may have structures of
@@ -50,7 +50,7 @@ std::string featuresOff(FeatureUse use, const VkPhysicalDeviceFeatures2& chain);
 /// The names of `wanted` that are not among `there`.
 std::string extensionsOff(std::span<const char* const> wanted, std::span<const char* const> there);
 
-/// A list with more at its end, after a comma where there is anything before it.
+/// A list with `more` appended, after a comma unless the list is empty.
 std::string joined(const std::string& list, const std::string& more);
 
 }  // namespace opaline::gpu

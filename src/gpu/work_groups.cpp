@@ -14,8 +14,8 @@ WorkGroups ofSoftware(std::uint32_t subgroupSize) {
   constexpr std::uint32_t most = 64;
   groups.invocations = std::min(subgroupSize, most);
   groups.invocationsOfTile = groups.invocations;
-  // Mesa's device ends an invocation's loops after 65,535 rounds in all: what may take more than
-  // that of eight gets twice as many.
+  // Mesa's device ends an invocation's loops after 65,535 rounds in total. Work that may exceed
+  // that with eight invocations gets twice as many.
   groups.invocationsOfLongWork = std::clamp(subgroupSize, 2 * least, most);
   return groups;
 }
@@ -25,7 +25,7 @@ WorkGroups ofSoftware(std::uint32_t subgroupSize) {
 WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
                         const VkPhysicalDeviceLimits& limits) {
   if (isSoftware) return ofSoftware(subgroupSize);
-  // As measured on an H200. Every device has 128.
+  // As measured on an H200. Every device has at least 128.
   const auto upTo = [&](std::uint32_t best) {
     return std::bit_floor(std::min(best, limits.maxComputeWorkGroupInvocations));
   };
