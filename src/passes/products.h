@@ -185,7 +185,7 @@ struct Surfels {
   gpu::Buffer skyShares;     ///< vec4 per surfel: part of the sky's irradiance that enters
   gpu::Buffer visibilities;  ///< of lights, if boundary transport reads them: a word for each light
                              ///< and piece, see lib/piece.glsl
-  std::uint32_t lights = 0;  ///< that there is room for
+  std::uint32_t lights = 0;  ///< for which there is room
   std::uint32_t count = 0;   ///< of surfels
   gpu::Buffer nodes;         ///< shared::TreeNode, depth first
   gpu::Buffer boxes;         ///< shared::NodeBox, one per node
@@ -250,9 +250,10 @@ struct Clusters {
   gpu::Buffer inner;                  ///< shared::InnerNode
   gpu::Buffer lists;                  ///< interaction lists: roomOfList per tile
   std::uint32_t roomOfList = 0;       ///< of numbers
-  gpu::Buffer around;        ///< clusters that act on each tile singly: shared::roomOfAround
-  gpu::Buffer clusters;      ///< shared::Cluster
-  gpu::Buffer nodes;         ///< shared::ClusterNode
+  gpu::Buffer around;                 ///< clusters whose values are interpolated in each tile:
+                                      ///< shared::roomOfAround
+  gpu::Buffer clusters;               ///< shared::Cluster
+  gpu::Buffer nodes;                  ///< shared::ClusterNode
   gpu::Buffer entries;       ///< shared::Entry per cluster for each light, then for light from
                              ///< everywhere
   std::uint32_t lights = 0;  ///< of the frame
@@ -270,7 +271,7 @@ struct Clusters {
   gpu::Buffer beamNodes;   ///< shared::BeamNode, for the trees of lib/beam_trees.glsl
   std::uint32_t mostNodesOfBody = 0;  ///< of the tree
   std::uint32_t roomOfBeamList = 0;
-  gpu::Buffer beamLists;         ///< of each tree and group: how many nodes, and which
+  gpu::Buffer beamLists;         ///< for each tree and group, how many nodes and which
   gpu::Buffer beamCoefficients;  ///< none before a frame solves; shared::texelsOfPoints per kept
                                  ///< entry of the lists for light from everywhere
   gpu::Buffer keptBeams;         ///< the kept entries, see shared::countsOfKept
@@ -298,7 +299,7 @@ struct Solver {
   std::uint32_t roomOfCoefficients = 0;  ///< nodes per tile; coefficients of further nodes are not
                                          ///< kept
   gpu::Buffer densities;                 ///< shared::DensityNode
-  gpu::Buffer products;                  ///< vec4 a cluster
+  gpu::Buffer products;                  ///< vec4 per cluster
   gpu::Buffer basis;                     ///< vec4 per cluster for each step and one more
   gpu::Buffer sums;                      ///< vec4, of tiles
   gpu::Buffer states;                    ///< shared::SolverState, for every solution of a frame
@@ -334,7 +335,7 @@ struct VisibleSurfaces {
   gpu::Buffer mixed;         ///< pixels that see several triangles
   gpu::Buffer mixedCount;    ///< shared::SeenCount
   gpu::Buffer list;          ///< surfaces; those of a pixel follow each other
-  gpu::Buffer counts;        ///< shared::SeenCount, of all and of parts
+  gpu::Buffer counts;        ///< shared::SeenCount, for all and for parts
   gpu::Buffer light;         ///< vec4 for each on the list: first its exitance, then its radiance
   gpu::Buffer skyShares;     ///< float for each: share of sky in what it mirrors
   gpu::Buffer materials;     ///< shared::SeenMaterial for each, of opaque surfaces and translucent
@@ -351,7 +352,7 @@ struct VisibleSurfaces {
   std::array<gpu::Buffer, 2> blocks;  ///< uint for each narrow block (lib/blocks.glsl) of a band:
                                       ///< before and after light of wide ones is interpolated
   gpu::Buffer asked;  ///< the lists of Asked one after the other, as indices into the list of all
-  std::array<gpu::Buffer, askedLists> askedCounts;  ///< shared::SeenCount, of all and of parts
+  std::array<gpu::Buffer, askedLists> askedCounts;  ///< shared::SeenCount, for all and for parts
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< the largest number of parts of the list
 
