@@ -15,8 +15,8 @@ class OPALINE_API Error : public std::runtime_error {
 };
 
 /// The caller asked for something that makes no sense: an unknown name, a value out of range, a
-/// combination that does not exist. The program then ends with status 2, and with 1 for any other
-/// Error.
+/// combination that does not exist. The opaline program then ends with status 2, and with 1 for any
+/// other Error.
 class OPALINE_API UsageError : public Error {
  public:
   explicit UsageError(const std::string& message) : Error(message) {}

@@ -32,8 +32,8 @@ enum class Aov {
   Radiance,     ///< leaving towards the camera
   Exitance,     ///< B
   Irradiance,   ///< E of the surfel seen there, or of the diffusion source map for Sum::Pattern:
-                ///< light that has entered, from lights with shadows and from the surroundings
-                ///< without, but no light that left before and enters again
+                ///< light that has entered. It comes from lights, with shadows, and from the
+                ///< surroundings, without. Light that left and enters again does not count
   Position,     ///< mm
   Normal,       ///< unit
   Depth,        ///< distance along the viewing axis, mm, in R, G and B
@@ -69,11 +69,11 @@ struct RenderOptions {
   Site site = Site::Auto;
   float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
   int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;    ///< largest number, for boundary transport or ambient light; in
+  int maxClusters = 8192;    ///< largest number, for boundary transport or hidden sky; in
                              ///< [64, 262144]
   static constexpr int maxBounces = 8;
   int bounces = 2;  ///< times that light leaves and enters again in Transport::Boundary, in [0, 8]
-  bool ambientOcclusion = false;  ///< whether bodies hide ambient light from each other; with
+  bool ambientOcclusion = false;  ///< whether surfaces hide ambient light and environment; with
                                   ///< Transport::Boundary they always do
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]

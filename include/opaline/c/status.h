@@ -8,8 +8,8 @@
 #include "opaline/export.h"
 #include "opaline/version.h"
 
-/// Grows when the layout of a struct or the meaning of a call changes. It does not for members
-/// added at a struct's end: structs of programs that were compiled before are still accepted.
+/// Grows when the layout of a struct or the meaning of a call changes. Structs that only gained
+/// members at their end still accept those of programs that were compiled before.
 #define OPALINE_C_ABI 6
 
 #ifdef __cplusplus

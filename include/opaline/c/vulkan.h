@@ -150,7 +150,7 @@ typedef struct OpalineDeviceImage {
   uint32_t height;
 } OpalineDeviceImage;
 
-/// What the last frame whose order asked for it left on the device.
+/// The picture that the last frame left on the device, if it was ordered to.
 OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
 
 /// One of the last frame's `aovsOnDevice`; see View::picture.
@@ -165,7 +165,8 @@ typedef struct OpalineDeviceBuffer {
   VkDeviceSize bytes;
 } OpalineDeviceBuffer;
 
-/// What the last frame whose order asked for it left on the device.
+/// The exitance of an object's vertices that the last frame left on the device, if it was ordered
+/// to.
 OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
                                               OpalineDeviceBuffer* exitance);
 

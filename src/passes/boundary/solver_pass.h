@@ -67,8 +67,7 @@ class SolverPass {
   struct Pipelines {
     Variants<shaders::BoundaryDensities> densities;
     Variants<shaders::BoundaryProduct> product;
-    /// Serves bodies with and without linings.
-    gpu::Compute<shaders::BoundaryProduct> productOfSeveralMedia;
+    gpu::Compute<shaders::BoundaryProduct> productOfSeveralMedia;  ///< with linings or without
     gpu::Compute<shaders::BoundaryExitance> exitance;
   };
   static Pipelines makePipelines(gpu::Device& device, bool withPaint);

@@ -37,8 +37,7 @@ struct FrameResources {
   passes::SeenCentres centres;  ///< these four are empty until a plan asks for them
   passes::SeenSurfels seenSurfels;
   gpu::GpuImage seenIrradiance;
-  /// By Aov: left on the device for the caller.
-  std::array<gpu::GpuImage, variablesOfCentres> variables;
+  std::array<gpu::GpuImage, variablesOfCentres> variables;  ///< by Aov: left on the device
   std::optional<paper::Map> map;
   std::unique_ptr<MaterialMotion> materials;  ///< if a clip changes materials
 };
