@@ -29,14 +29,15 @@ enum class Site {
 
 /// The output variables. All but Radiance are sampled once, at the pixel's centre.
 enum class Aov {
-  Radiance,     ///< leaving towards the camera
-  Exitance,     ///< B
-  Irradiance,   ///< E of the surfel seen there, or of the diffusion source map for Sum::Pattern:
-                ///< light that has entered. It comes from lights, with shadows, and from the
-                ///< surroundings, without. Light that left and enters again does not count
-  Position,     ///< mm
-  Normal,       ///< unit
-  Depth,        ///< distance along the viewing axis, mm, in R, G and B
+  Radiance,    ///< leaving towards the camera
+  Exitance,    ///< B
+  Irradiance,  ///< E of the surfel seen there, or of the diffusion source map for Sum::Pattern:
+               ///< light that has entered, from lights with shadows and from the sky, which
+               ///< surfaces hide as for ambientOcclusion. Light that left and enters again does not
+               ///< count
+  Position,    ///< mm
+  Normal,      ///< unit
+  Depth,       ///< distance along the viewing axis, mm, in R, G and B
   Evaluations,  ///< of the profile, per pixel or interpolated from vertices, in R, G and B
   Object,       ///< index of the object, from 0, in R, G and B
   /// Indices, counted from 0 through all objects. R: the visible surfel. G: its cluster of boundary

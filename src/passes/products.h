@@ -149,10 +149,10 @@ struct FrameView {
   std::uint32_t shadowViews = 0;
 };
 
-/// Depth from the lights, one layer for each shadow view.
 /// Some of a frame's shadow views.
 using ShadowViews = std::bitset<shared::maxShadowViews>;
 
+/// Depth from the lights, one layer for each shadow view.
 struct ShadowMaps {
   gpu::GpuImage depth;
   gpu::Buffer drawn;  ///< maps before they are copied there, if invocations draw triangles
