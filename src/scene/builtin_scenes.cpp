@@ -12,8 +12,8 @@ namespace builtin {
 namespace {
 
 constexpr float defaultDiagonalMm = 50;
-/// The bear is so tall beside its diagonal that from the usual 1.4 diagonals its ears and feet are
-/// cut off.
+/// The bear is so tall for its diagonal that the usual 1.4 diagonals would cut off its ears and
+/// feet.
 constexpr float bearDistanceDiagonals = 1.8F;
 
 Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {

@@ -13,7 +13,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// Between two values of one kind, number by number.
+/// Interpolates between two values of one type, number by number.
 struct Blend {
   double t = 0;
 

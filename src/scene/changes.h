@@ -7,11 +7,11 @@
 
 namespace opaline::scene {
 
-/// What a clip changes; null where that is nothing, or where it is none (-1).
+/// What a clip changes. Null where it changes nothing, or where there is no clip (-1).
 const ClipChanges* changesOf(const Scene& scene, int clip);
 
-/// Writes what the keys say at a time of their clip, as clipTime() has it, into something that is
-/// like their values but for the numbers. These allocate nothing.
+/// Each writes what the keys say at a time of their clip, as clipTime() gives it, into a value that
+/// matches theirs in all but the numbers. None allocates.
 void takeAt(const Keys<DirectionalLight>& keys, double seconds, DirectionalLight& light);
 void takeAt(const Keys<PointLight>& keys, double seconds, PointLight& light);
 void takeAt(const Keys<SpotLight>& keys, double seconds, SpotLight& light);
@@ -19,8 +19,7 @@ void takeAt(const Keys<Camera>& keys, double seconds, Camera& camera);
 void takeAt(const Keys<OpaqueMaterial>& keys, double seconds, OpaqueMaterial& material);
 void takeAt(const Keys<Medium>& keys, double seconds, Medium& medium);
 
-/// The same of all lights, as far as they are those of the scene, and of the camera, at a time of
-/// the scene.
+/// The same for all of the scene's own lights, and for its camera, at a time of the scene.
 void takeLightsAt(const Scene& scene, const SceneTime& time, Lighting& lighting);
 void takeCameraAt(const Scene& scene, const SceneTime& time, Camera& camera);
 
@@ -35,11 +34,11 @@ bool changesMaterial(const Scene& scene, std::size_t object);
 /// Whether an opaque object lets light through in some clip, or as it stands.
 bool letsLightThrough(const Scene& scene, std::size_t object);
 
-/// Of all that an object is made of in any clip, as it stands too, that with the shortest mean free
-/// path: the surface is divided for that.
+/// The medium with the shortest mean free path among all that an object is made of, at rest and in
+/// any clip. The surface is divided finely enough for it.
 const Medium& finestMedium(const Scene& scene, std::size_t object);
 
-/// Calls that for each medium that a clip gives an object.
+/// Calls `visit` for each medium that a clip gives an object.
 template <typename Visit>
 void forEachMediumOf(const Scene& scene, std::size_t object, const Visit& visit) {
   for (const ClipChanges& changes : scene.changes)
@@ -48,7 +47,7 @@ void forEachMediumOf(const Scene& scene, std::size_t object, const Visit& visit)
         for (const Medium& medium : keys.values) visit(medium);
 }
 
-/// An object that somebody makes of something else stays so.
+/// Drops what clips do to an object's material, once somebody has given the object another.
 void forgetMaterial(std::vector<ClipChanges>& changes, std::size_t object);
 
 }  // namespace opaline::scene

@@ -14,8 +14,8 @@ namespace {
 
 using core::Digest;
 
-// Every structure is taken apart whole: whoever gives it another member is told by the compiler
-// that the digest must know of it, or that it does not decide pixels.
+// Every structure is unpacked completely. Whoever adds a member is thus told by the compiler to
+// decide whether it affects pixels.
 
 template <typename... Parts>
 void addAll(Digest& digest, const Parts&... parts) {
@@ -198,7 +198,7 @@ void addChanges(Digest& digest, const ClipChanges& changes) {
 }
 
 void addScene(Digest& digest, const Scene& scene) {
-  // What the camera sees counts, and not who chose it.
+  // What the camera sees counts, not who chose the camera.
   const auto& [name, objects, lighting, camera, cameraChosen, nodes, clips, changes, deformers,
                repairs, notShown] = scene;
   addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });

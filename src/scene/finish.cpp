@@ -64,8 +64,8 @@ std::string nameIn(const std::string& file, const RawObject& object) {
   return fmt::format("{}, object '{}'", file, object.name);
 }
 
-/// A face that has no area in the rest pose has no place in the atlas either, so it stays away
-/// where the motion would open it.
+/// A face without area in the rest pose has no place in the atlas, so it stays hidden even where
+/// the motion would open it.
 void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
                    const std::string& name, const LogCallback& log) {
   if (!object.rig) return;

@@ -14,8 +14,8 @@ namespace opaline::scene {
 RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool noteUnit,
                        const LogCallback& log, std::vector<Repair>& repairs);
 
-/// Positions, camera and lights times `factor`; intensities times its square, so that the picture
-/// stays.
+/// Multiplies positions, camera and lights by `factor`, and intensities by its square, so that the
+/// picture stays the same.
 void scaleBy(RawScene& raw, double factor, const std::string& file);
 
 /// Bounds of the raw scene's vertices, and their diagonal.
@@ -23,8 +23,8 @@ Bounds boundsOf(const RawScene& raw);
 double diagonalOf(const Bounds& bounds);
 Double3 exactMiddleOf(const Bounds& bounds);
 
-/// Of a scene. Beyond a few times that, products of areas leave the range of a float, and a
-/// hundredth of the shortest comes out empty.
+/// Limits on a scene's diagonal. A few times beyond them, products of areas leave the range of a
+/// float. At a hundredth of the shortest, the picture comes out empty.
 constexpr double shortestDiagonalMm = 1e-7;
 constexpr double longestDiagonalMm = 1e9;
 
@@ -32,8 +32,8 @@ constexpr double longestDiagonalMm = 1e9;
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
                const LoadOptions& options);
 
-/// The media that the options name: of all objects that are no metal, then of single ones. Throws
-/// UsageError for an object that there is not.
+/// Sets the media that the options name: first for all objects that are not metal, then for single
+/// ones. Throws UsageError for an object that does not exist.
 void setMedia(const LoadOptions& options, Scene& scene);
 
 /// Throws UsageError for options that make no sense.

@@ -12,14 +12,14 @@ namespace opaline::scene {
 /// Files longer than this are refused.
 constexpr std::size_t longestFileBytes = 2'147'483'647;
 
-/// What a model is read for.
+/// What the caller of a loader wants of a model.
 struct ModelOptions {
-  bool wantsCoordinates = false;  ///< of textures that others will put on it
+  bool wantsCoordinates = false;  ///< texture coordinates, for textures that a scene file adds
   ColorModel colorModel = ColorModel::Observed;
 };
 
-/// What a loader gets: the bytes of the file, the file itself for messages and for what lies beside
-/// it, and whom to tell.
+/// What a loader gets: the file's bytes, its path, which serves messages and finds neighbouring
+/// files, and whom to tell.
 struct Input {
   std::filesystem::path file;
   std::span<const std::byte> bytes;
@@ -27,18 +27,18 @@ struct Input {
   ModelOptions options;
 };
 
-/// Each throws Error, naming the file, for bytes that are not what they say.
+/// Each throws Error, naming the file, for bytes that are not of its format.
 RawScene loadPly(const Input& input);
 RawScene loadObj(const Input& input);
 RawScene loadGltf(const Input& input);
 
-/// By magic or by extension; .toml is not among them.
+/// Picks the loader by magic number or by extension. A .toml scene is not accepted.
 RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
                    const ModelOptions& options = {});
 
 void note(const LogCallback& log, std::string_view message);
 
-/// Marble, as objects without a medium are.
+/// Marble, which every object without a medium gets.
 Medium defaultMedium();
 
 }  // namespace opaline::scene

@@ -13,7 +13,7 @@ namespace opaline {
 namespace scene {
 namespace {
 
-/// The camera's up, or another direction where it looks along that.
+/// The camera's up, or another direction where the camera looks along its up.
 Double3 usableUp(const Camera& camera, const Double3& ahead) {
   const Double3 up = toDouble(camera.up);
   const Double3 across = cross(ahead, up);
@@ -21,8 +21,8 @@ Double3 usableUp(const Camera& camera, const Double3& ahead) {
   return std::abs(ahead[2]) < 0.9 ? Double3{0, 0, -1} : Double3{0, 1, 0};
 }
 
-/// Of a picture's half width, or half height, what a side has from the target on, which a shift
-/// moves by parts of the whole.
+/// How much room a side of the picture has beyond the target, as a part of the half width or half
+/// height. A shift moves the target by parts of the whole.
 double roomOf(double shift, double margin) {
   const double room = 1 - margin + 2 * shift;
   if (room > 0) return room;
@@ -38,9 +38,9 @@ Vec3 movedBack(const Camera& camera, double distanceMm) {
 }  // namespace
 }  // namespace scene
 
-// At a distance D a point that lies `a` beyond the target, `x` aside and `y` above is seen where
-// |y| ≤ (D + a) tan(fov/2) and |x| ≤ (D + a) tan(fov/2) · aspect, so that each point asks for a
-// least D of its own. In parallel light of sight |y| ≤ height/2.
+// At a distance D, a point that lies `a` beyond the target, `x` to the side and `y` above is seen
+// where |y| ≤ (D + a) tan(fov/2) and |x| ≤ (D + a) tan(fov/2) · aspect. Each point thus asks for a
+// least D. An orthographic camera sees |y| ≤ height/2.
 Framing::Framing(const Camera& camera, double aspect, double margin)
     : camera_(camera), target_(scene::toDouble(camera.targetMm)) {
   using namespace scene;

@@ -10,8 +10,8 @@ namespace opaline {
 
 namespace {
 
-// All lengths in diagonals. The square grid in the middle reaches further than the body does.
-// Around it lie rings, each twice as far out as the one before.
+// All lengths are in diagonals. The square grid in the middle is wider than the body. Around it lie
+// rings, each twice as far out as the one before.
 constexpr int cellsAcross = 32;
 constexpr double halfOfGrid = 0.8;
 constexpr int rings = 10;
@@ -28,7 +28,7 @@ struct Plane {
   }
 };
 
-// Corners of the grid's cells, row after row.
+// Adds the corners of the grid's cells, row after row.
 void addGrid(const Plane& plane, Mesh& mesh) {
   constexpr std::uint32_t across = cellsAcross + 1;
   const auto place = [](std::uint32_t i) { return halfOfGrid * (2.0 * i / cellsAcross - 1); };

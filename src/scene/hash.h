@@ -6,13 +6,13 @@
 
 namespace opaline::scene {
 
-/// Takes one more value into a hash, whose start is any number.
+/// Mixes one more value into a hash. The start may be any number.
 inline void mix(std::uint64_t& hash, std::uint64_t value) {
   hash = (hash ^ value) * 0x9E3779B97F4A7C15U;
   hash ^= hash >> 29U;
 }
 
-/// Of several numbers, as keys of unordered maps.
+/// Hashes arrays of numbers, for keys of unordered maps.
 struct HashOfNumbers {
   template <typename Number, std::size_t Count>
   std::size_t operator()(const std::array<Number, Count>& numbers) const {

@@ -40,7 +40,7 @@ void joinKeys(std::vector<Keys<T>>& to, std::vector<Keys<T>>&& added, std::size_
   append(to, std::move(added));
 }
 
-/// Of a model whose objects and lights are to follow those of the scene.
+/// Appends the changes of a model. Its objects and lights follow those of the scene.
 void joinChanges(const RawScene& scene, ClipChanges& to, ClipChanges&& added) {
   const Lighting& lighting = scene.lighting;
   joinKeys(to.directional, std::move(added.directional), lighting.directional.size());
@@ -51,7 +51,8 @@ void joinChanges(const RawScene& scene, ClipChanges& to, ClipChanges&& added) {
   if (!scene.camera) append(to.cameras, std::move(added.cameras));
 }
 
-/// Before anything else of the model, so that it is known where that goes.
+/// Joins clips before anything else of the model, so that the scene's counts are still the offsets
+/// of what will be added.
 void joinClips(RawScene& scene, RawScene& model) {
   scene.changes.resize(scene.clips.size());
   model.changes.resize(model.clips.size());
@@ -83,7 +84,7 @@ void joinLights(RawScene& scene, RawScene& model) {
 
 }  // namespace
 
-/// Objects of one name in one model stay so: they are meant together.
+/// Objects of one name within a model keep a common name: the file treats them as one.
 void JoinedModels::giveOwnNames(RawScene& model) {
   for (RawObject& object : model.objects) {
     const std::string own = object.name;

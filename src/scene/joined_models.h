@@ -9,9 +9,9 @@
 
 namespace opaline::scene {
 
-/// Puts models, in millimetres and in their places, into a scene that has nothing yet. An object
-/// whose name an earlier model has gets a number behind it. Clips of one name play together; lights
-/// shine together; the first camera is the scene's.
+/// Puts models into a scene that is still empty; they are in millimetres and in their places. An
+/// object whose name an earlier model uses gets a number after it. Clips of one name play together,
+/// all lights shine, and the first camera is the scene's.
 class JoinedModels {
  public:
   explicit JoinedModels(RawScene& scene) : scene_(scene) {}
@@ -21,11 +21,11 @@ class JoinedModels {
   void giveOwnNames(RawScene& model);
 
   RawScene& scene_;
-  std::set<std::string> names_;         ///< of objects that are there
-  std::map<std::string, int> numbers_;  ///< behind a name; all lower ones are taken
+  std::set<std::string> names_;         ///< of objects added so far
+  std::map<std::string, int> numbers_;  ///< per name the number to add; all lower ones are taken
 };
 
-/// What is true of many models is said once.
+/// A log that passes each message on once only.
 LogCallback eachOnce(const LogCallback& log);
 
 }  // namespace opaline::scene

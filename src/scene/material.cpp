@@ -21,7 +21,7 @@ namespace scene {
 
 namespace {
 
-// Of one channel, those of some thousand pixels, spread evenly.
+// Some thousand values of one channel, spread evenly over the picture.
 std::vector<float> someOf(const TexturePixels& pixels, std::size_t channel) {
   constexpr std::size_t wanted = 4096;
   const std::size_t count = pixels.rgba.size() / 4;
@@ -62,10 +62,10 @@ std::optional<TranslucentSurface> surfaceFrom(const OpaqueMaterial& material) {
 
 namespace {
 
-/// Of a picture of sRGB colours, linear: in each channel as bright as all but the brightest
-/// twentieth. That of a medium below a paint, which can only be darker.
+/// The linear colour that in each channel is as bright as all pixels but the brightest twentieth.
+/// The medium below a paint gets it, since a paint can only darken.
 Rgb brightColor(const TexturePixels& pixels) {
-  constexpr std::size_t brightest = 20;  // one in so many
+  constexpr std::size_t brightest = 20;  // the brightest one in so many is ignored
   Rgb bright{};
   for (std::size_t c = 0; c < 3; ++c) {
     std::vector<float> values = someOf(pixels, c);
@@ -77,7 +77,7 @@ Rgb brightColor(const TexturePixels& pixels) {
   return bright;
 }
 
-/// The picture with every shade of a channel, in [0, 1], replaced by another, all linear.
+/// The picture with every shade of a channel, in [0, 1], mapped to another. All shades are linear.
 template <typename Seen>
 std::shared_ptr<const TexturePixels> recolored(const TexturePixels& pixels, const Seen& seen) {
   constexpr std::size_t shades = 65536;
@@ -98,7 +98,7 @@ std::shared_ptr<const TexturePixels> recolored(const TexturePixels& pixels, cons
   return std::make_shared<const TexturePixels>(std::move(result));
 }
 
-/// In the colours that bodies of its albedos are seen in.
+/// The picture with its albedos replaced by the colours in which bodies of these albedos are seen.
 std::shared_ptr<const TexturePixels> asSeen(const TexturePixels& pixels,
                                             const Appearance& appearance) {
   return recolored(pixels, [&](double albedo, std::size_t channel) {
@@ -108,7 +108,8 @@ std::shared_ptr<const TexturePixels> asSeen(const TexturePixels& pixels,
   });
 }
 
-/// In the colours of bodies without end under the layers by which a ball has its own.
+/// The picture with each colour of a ball replaced by that of an infinitely thick body under the
+/// same layers.
 std::shared_ptr<const TexturePixels> asOnThick(const TexturePixels& pixels,
                                                const Appearance& appearance, const Medium& medium) {
   const auto colors = bssrdf::layerColors(medium, appearance.ballMm);

@@ -7,10 +7,10 @@
 
 namespace opaline::scene {
 
-/// Whether most of what it gives back is what metal reflects.
+/// Whether most of the light that it returns is reflected as by metal.
 bool isMetal(const OpaqueMaterial& material);
 
-/// Whether some light goes through it to its other side.
+/// Whether it lets some light through to the other side.
 bool letsLightThrough(const OpaqueMaterial& material);
 
 /// What a translucent object is made of.
@@ -20,11 +20,11 @@ struct Translucent {
   std::optional<TranslucentSurface> surface;
 };
 
-/// What an opaque material's textures say of the surface, for a medium in its place; none if they
-/// say nothing.
+/// The parts of an opaque material that describe its surface, for a medium in its place. None if
+/// nothing is said.
 std::optional<TranslucentSurface> surfaceFrom(const OpaqueMaterial& material);
 
-/// Makes an object, or a raw one, of that medium alone. Its surface stays as its own material says.
+/// Gives an object, or a raw one, that medium alone. The surface keeps what its own material says.
 template <typename AnyObject>
 void putMedium(const Medium& medium, AnyObject& object) {
   if (object.opaque) object.surface = surfaceFrom(*object.opaque);
@@ -33,12 +33,12 @@ void putMedium(const Medium& medium, AnyObject& object) {
   object.medium = medium;
 }
 
-/// A body that looks like that, or as a texture of colours says, which the colour then multiplies:
-/// it is the paint on a medium of the texture's brightest colours, in each channel all but the
-/// brightest twentieth.
+/// A body with that appearance. A texture of colours, multiplied by the appearance's colour,
+/// becomes the paint on a medium of the texture's brightest colours: in each channel as bright as
+/// all but the brightest twentieth.
 Translucent bodyOf(const Appearance& appearance, std::optional<Texture> colors);
 
-/// The texture as paint on a medium that is bare where the texture has its brightest colours.
+/// The texture as paint on a medium, which is left bare where the texture is brightest.
 Paint paintOn(const Medium& medium, Texture colors);
 
 }  // namespace opaline::scene

@@ -7,7 +7,7 @@
 
 namespace opaline::scene {
 
-/// An affine map: column-major 3 × 4, the last row of the 4 × 4 being 0 0 0 1.
+/// An affine map: column-major 3 × 4. The last row of the 4 × 4 matrix would be 0 0 0 1.
 struct Matrix4 {
   std::array<Double3, 4> column{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 
@@ -15,7 +15,7 @@ struct Matrix4 {
     return v[0] * column[0] + v[1] * column[1] + v[2] * column[2];
   }
   Double3 point(const Double3& p) const { return direction(p) + column[3]; }
-  /// Cofactors times the normal: the inverse transpose but for a positive factor.
+  /// Cofactors times the normal: the inverse transpose up to a positive factor.
   Double3 normal(const Double3& n) const {
     const Double3 mapped = n[0] * cross(column[1], column[2]) + n[1] * cross(column[2], column[0]) +
                            n[2] * cross(column[0], column[1]);

@@ -19,7 +19,7 @@ std::string lineOf(const NotShown& kind) {
                      kind.names.size() < kind.count ? ", …" : "");
 }
 
-/// That kind, or what stands for all that there are too many of.
+/// The entry of that kind, or the entry that collects the rest once there are too many kinds.
 NotShown& kindOf(std::vector<NotShown>& kinds, std::string_view what) {
   const auto find = [&] {
     return std::find_if(kinds.begin(), kinds.end(),

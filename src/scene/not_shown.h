@@ -7,10 +7,10 @@
 
 namespace opaline::scene {
 
-/// Counts one more thing of a kind. Its name may be empty, and may have been counted before.
+/// Counts one more thing of a kind. Its name may be empty or counted already.
 void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_view name);
 
-/// What a medium has no use for of a material.
+/// Parts of a material that a medium does not use.
 struct HiddenParts {
   bool baseColor = false;
   bool baseColorTexture = false;
@@ -22,7 +22,7 @@ struct HiddenParts {
 HiddenParts partsOf(const OpaqueMaterial& material);
 void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::string_view name);
 
-/// Counts together with what another file holds.
+/// Adds what another file could not show.
 void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more);
 
 }  // namespace opaline::scene

@@ -7,16 +7,16 @@
 
 namespace opaline::scene {
 
-/// The folder of a file, canonical. Throws Error where there is none.
+/// The canonical folder of a file. Throws Error where it does not exist.
 std::string folderOf(const std::filesystem::path& file);
 
-/// Where a file is that a model names, or, in `refusal`, why a model in that folder may not read
-/// it: nothing outside of the folder is. `kind` says what it is.
+/// The path of a file that a model names. A model may only read files in its own folder; `refusal`
+/// says why another file is refused. `kind` says what the file is.
 std::optional<std::filesystem::path> fileInFolder(const std::string& folder,
                                                   const std::string& name, std::string_view kind,
                                                   std::string& refusal);
 
-/// The same beside a model's file. Throws Error with the refusal.
+/// The same for a file beside a model's own. Throws Error with the refusal.
 std::filesystem::path fileBeside(const std::filesystem::path& model, const std::string& name,
                                  std::string_view kind);
 

@@ -20,7 +20,7 @@ bool scaleLight(double factor, Rgb& light) {
   return std::all_of(light.begin(), light.end(), [](float x) { return std::isfinite(x); });
 }
 
-/// Changes all lights that clips make as if they were those of a scene, and all cameras.
+/// Applies a change to all lights and cameras in clips, as if they were those of a scene.
 template <typename ChangeLights, typename ChangeCamera>
 bool changeAll(std::vector<ClipChanges>& changes, const ChangeLights& changeLights,
                const ChangeCamera& changeCamera) {

@@ -5,20 +5,19 @@
 
 namespace opaline::scene {
 
-/// Lights that are scaled with their scene shine on it as before: intensities grow with the square,
-/// and area lights with it.
-/// False where something of a light leaves the range of a float.
+/// Scales lights with their scene so that they light it as before: intensities grow with the square
+/// of the factor, and area lights in size. False where a number leaves the range of a float.
 [[nodiscard]] bool scaleLights(double factor, Lighting& lighting);
 
-/// The same for lights that are placed with a model, none of which has an extent. They turn, and
-/// intensities grow with its area.
+/// The same for lights that are placed with a model; none of them is an area light. They turn with
+/// it, and intensities grow with its area.
 [[nodiscard]] bool placeLights(const Matrix4& matrix, Lighting& lighting);
 
-/// A camera that is scaled or placed with what it sees, false where it leaves the range of a float.
+/// Scales or places a camera with what it sees. False where a number leaves the range of a float.
 [[nodiscard]] bool scaleCamera(double factor, Camera& camera);
 [[nodiscard]] bool placeCamera(const Matrix4& matrix, Camera& camera);
 
-/// The same of what clips make of lights and cameras.
+/// The same for the lights and cameras in clips.
 [[nodiscard]] bool scaleChanges(double factor, std::vector<ClipChanges>& changes);
 [[nodiscard]] bool placeChanges(const Matrix4& matrix, std::vector<ClipChanges>& changes);
 

@@ -34,7 +34,7 @@ void apply(const Track& track, double seconds, Pose& pose) {
   }
 }
 
-/// Everything as the file has it.
+/// Puts every node where the file has it.
 void rest(const Scene& scene, Pose& pose) {
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
     const Node& node = scene.nodes[n];

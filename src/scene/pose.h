@@ -10,7 +10,7 @@
 
 namespace opaline::scene {
 
-/// Where a node is below its parent.
+/// A node's transform relative to its parent.
 struct LocalTransform {
   Double3 translation{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 0, 1};  ///< x y z w
@@ -20,19 +20,19 @@ struct LocalTransform {
 /// Where the nodes of a scene are at one time, and the weights of their morph targets.
 struct Pose {
   std::vector<Matrix4> world;              ///< per node, from the node to the nodes' common space
-  std::vector<float> weights;              ///< all nodes' end to end
+  std::vector<float> weights;              ///< of all nodes, end to end
   std::vector<std::uint32_t> firstWeight;  ///< per node and one more
-  std::vector<LocalTransform> local;       ///< per node; nothing to one that has a matrix
+  std::vector<LocalTransform> local;       ///< per node; unused for one that has a matrix
 };
 
-/// A pose with room for a scene's nodes, as the file has them.
+/// A pose with room for a scene's nodes, which stand as in the file.
 Pose makePose(const Scene& scene);
 
-/// Evaluates a clip; -1 is none, the nodes as the file has them. The pose is one that makePose()
-/// made for this scene. Allocates nothing.
+/// Evaluates a clip. -1 means no clip: the nodes stand as in the file. The pose must come from
+/// makePose() for this scene. Allocates nothing.
 void poseAt(const Scene& scene, int clip, double seconds, Pose& pose);
 
-/// Where in the clip a time falls: itself up to the clip's end, beyond it modulo its length.
+/// The time within the clip: unchanged up to the clip's end, beyond it modulo the clip's length.
 double clipTime(const Clip& clip, double seconds);
 
 /// toScene · world · inverseBind of every joint of a rig, or toScene · world of its node where it
@@ -42,7 +42,7 @@ void jointMatrices(const Rig& rig, const Pose& pose, std::span<Matrix4> matrices
 /// Whether most of a rig's matrices mirror, so that its triangles turn.
 bool mirrors(std::span<const Matrix4> matrices);
 
-/// The weights of a rig's morph targets, one for each; those that the node does not give are 0.
+/// The weights of a rig's morph targets, one for each. A weight that the node lacks is 0.
 std::span<const float> morphWeights(const Rig& rig, const Pose& pose);
 
 }  // namespace opaline::scene

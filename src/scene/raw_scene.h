@@ -13,17 +13,17 @@ namespace opaline::scene {
 
 /// Where a vertex comes from, and what became of its normal.
 struct Provenance {
-  std::uint32_t vertex = 0;   ///< index among the file's: of the object's rig and attributes
-  bool normalTurned = false;  ///< with its triangles
-  bool normalSmooth = false;  ///< the file's was unusable
+  std::uint32_t vertex = 0;   ///< index in the file, and thus in the object's rig and attributes
+  bool normalTurned = false;  ///< turned with its triangles
+  bool normalSmooth = false;  ///< replaced, as the file's was unusable
 };
 
 /// A mesh as a file gives it: in range, but neither repaired nor scaled nor oriented.
 struct RawMesh {
   std::vector<Vec3> positions;
   std::vector<Vec3> normals;  ///< empty, or one per position, any length
-  /// Vertices whose tags differ are different even where position and normal agree; empty: all
-  /// alike.
+  /// Vertices with different tags are different even where position and normal agree. Empty: all
+  /// tags are equal.
   std::vector<std::uint64_t> tags;
   std::vector<Provenance> provenance;  ///< empty, or one per position: kept up through all repairs
   std::vector<Triangle> triangles;
@@ -37,13 +37,13 @@ struct RawObject {
   std::string name;
   RawMesh mesh;
   Medium medium;
-  /// As in Object; until alignRig() its vertices are the file's, which `mesh.provenance` names, and
-  /// a normal may be zero.
+  /// As in Object. Until alignRig() its vertices are the file's, which `mesh.provenance` names, and
+  /// normals may be zero.
   std::optional<Rig> rig;
-  std::optional<Paint> paint;  ///< these as in Object
+  std::optional<Paint> paint;  ///< as in Object, like the next two
   std::optional<TranslucentSurface> surface;
   std::optional<OpaqueMaterial> opaque;
-  VertexAttributes attributes;  ///< of the file's vertices until alignAttributes()
+  VertexAttributes attributes;  ///< of the file's vertices, until alignAttributes()
 };
 
 /// What a file holds, in the file's unit, before repair, scale and defaults.
@@ -58,7 +58,7 @@ struct RawScene {
   std::vector<ClipChanges> changes;  ///< as in Scene
   std::vector<Deformer> deformers;
   std::vector<NotShown> notShown;
-  bool hasMediaPerMetre = false;    ///< whose mean free paths the file says
+  bool hasMediaPerMetre = false;    ///< the file gives mean free paths
   std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
 };
 

@@ -37,7 +37,8 @@ void gatherInfluences(Rig& rig, const Origins& origins) {
   rig.influences = std::move(influences);
 }
 
-/// A mesh's flat triangles may name the file's few vertices over and over, and nodes the mesh.
+/// Flat triangles of a mesh may name the file's few vertices over and over, and nodes may name the
+/// mesh again.
 void takeRoom(const Rig& rig, const Origins& origins, const std::string& name, std::size_t& room) {
   std::size_t vectors = origins.size() * (2 + 2 * rig.targets.size());
   if (!rig.firstInfluence.empty()) {
@@ -72,8 +73,8 @@ Vec3 negated(const Vec3& v) {
   return {-v[0], -v[1], -v[2]};
 }
 
-/// Smooth normals in the file's space; those that the file gives tell which way is out, since a
-/// mirrored mesh has had its triangles turned.
+/// Smooth normals in the file's space. The normals that the file does give tell which way is out,
+/// since a mirrored mesh has had its triangles turned.
 void smoothWhereMissing(Rig& rig, const RawMesh& mesh) {
   const auto missing = [&](std::size_t v) {
     return rig.normals[v] == Vec3{0, 0, 0} || mesh.provenance[v].normalSmooth;
@@ -96,7 +97,7 @@ void smoothWhereMissing(Rig& rig, const RawMesh& mesh) {
   }
 }
 
-/// A node as the only joint of vertices that follow it.
+/// Makes the node the only joint of vertices that follow it.
 void nodeAsJoint(Rig& rig) {
   rig.joints = {{rig.node, {}}};
   rig.firstInfluence.resize(rig.positions.size() + 1);
@@ -162,7 +163,7 @@ void appendRig(Rig& rig, Rig&& part) {
   }
   extend(rig.influences, part.influences);
   for (std::size_t t = 0; t < rig.targets.size(); ++t) {
-    // As soon as one part lacks normals, all are taken from the triangles.
+    // If one part lacks normals, all normals are taken from the triangles.
     const bool normals = !rig.targets[t].normals.empty() && !part.targets[t].normals.empty();
     extend(rig.targets[t].positions, part.targets[t].positions);
     extend(rig.targets[t].normals, part.targets[t].normals);

@@ -6,22 +6,22 @@
 
 namespace opaline::scene {
 
-/// Gives every vertex of an object's mesh, as it stands now, a rig vertex of its own: for meshes
-/// whose rig is made from themselves, before repair.
+/// Gives every vertex of an object's mesh, as it is before repair, its own rig vertex. For meshes
+/// whose rig is made from the mesh itself.
 void startProvenance(RawMesh& mesh);
 
-/// Brings a rig from the file's vertices to those of the repaired mesh; normals that were turned
-/// with their triangles turn here too, and those that are zero become smooth. Throws Error, naming
-/// `object`, for numbers that are not finite and for more of them than any machine should hold.
+/// Maps a rig from the file's vertices to those of the repaired mesh. Normals that were turned with
+/// their triangles turn here too; zero ones become smooth. Throws Error, naming `object`, for
+/// numbers that are not finite or that are more than any machine should hold.
 ///
-/// `room` is how many numbers the rest of the file may take; what this object takes is subtracted.
+/// `room` is how many numbers the file may still use; this object's are subtracted.
 void alignRig(RawObject& object, const std::string& name, std::size_t& room);
 
-/// Vectors and influences that the rigs of one file may take.
+/// Most vectors and influences that the rigs of one file may use.
 inline constexpr std::size_t mostRigNumbers = 40'000'000;
 
-/// Appends the vertices of another rig of the same node with as many morph targets. Both follow
-/// what they followed before: joints that differ stand beside each other, and what had none gets
+/// Appends the vertices of another rig of the same node with as many morph targets. Both keep
+/// following what they followed before: the joints of both are kept, and a part without joints gets
 /// the node as its joint.
 void appendRig(Rig& rig, Rig&& part);
 

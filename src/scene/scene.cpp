@@ -64,15 +64,15 @@ Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float vertica
   camera.targetMm = scene::toFloat(centre);
   camera.positionMm = scene::along(centre, distance / size, direction);
   camera.verticalFovDegrees = verticalFovDegrees;
-  // Looking along the usual up needs another.
+  // A camera that looks along the usual up needs another one.
   if (std::abs(direction[1]) > 0.999 * size) camera.up = {0, 0, direction[1] > 0 ? -1.0F : 1.0F};
   return camera;
 }
 
 Lighting defaultLighting() {
   Lighting lighting;
-  // The key shines through the body towards the camera on +z; a little warm, the fill a little
-  // cool.
+  // The key light shines through the body towards the camera on +z. It is slightly warm, the fill
+  // slightly cool.
   lighting.directional.push_back(
       {scene::toFloat(scene::unit({0.45, 0.35, -0.82})), {6.0F, 5.8F, 5.4F}});
   lighting.directional.push_back(

@@ -58,8 +58,8 @@ void addUris(std::string_view text, const fs::path& folder, std::vector<fs::path
   }
 }
 
-/// What stands behind the keyword in each line that begins with one of these, without any number of
-/// words, as options may stand before a name and a name may have blanks in it.
+/// For each line that begins with a keyword, the rest of the line without its first words, for any
+/// number of them: options may precede a name, and a name may contain blanks.
 void addNamesBehind(std::string_view text, const fs::path& folder,
                     const std::vector<std::string_view>& keywords, std::vector<fs::path>& to) {
   constexpr int mostOptions = 40;
@@ -83,7 +83,7 @@ void addNamesBehind(std::string_view text, const fs::path& folder,
   }
 }
 
-/// A file that cannot be read names none.
+/// The text of a file, empty where it cannot be read.
 std::string textOf(const fs::path& file) {
   try {
     const std::vector<std::byte> bytes = readFile(file, longestFileBytes);
@@ -97,7 +97,7 @@ void addModel(const fs::path& model, std::vector<fs::path>& to) {
   to.push_back(model);
   const fs::path folder = model.parent_path();
   const fs::path extension = model.extension();
-  if (extension == ".ply" || extension == ".PLY") return;  // names no other
+  if (extension == ".ply" || extension == ".PLY") return;  // names no other files
   const std::string text = textOf(model);
   addUris(text, folder, to);
   const std::size_t first = to.size();

@@ -7,12 +7,12 @@
 
 namespace opaline::scene {
 
-/// The same source, for whichever folder is the current one later.
+/// The same source, independent of the current folder.
 SceneSource withAbsolutePaths(SceneSource source);
 
-/// What would have made the scene times `factor` in the first place, to rounding: with that size
-/// of its models, whose diagonals are given, and all of them and their objects as much farther
-/// apart.
+/// Changes the source to one that makes the scene `factor` times as large, up to rounding: the
+/// models get that size, and they and their objects lie that much farther apart. The models'
+/// diagonals are given.
 void rescale(SceneSource& source, double factor, const std::vector<double>& modelDiagonalsMm);
 
 }  // namespace opaline::scene

@@ -55,7 +55,7 @@ std::array<double, 4> TrackSample::rotation() const {
   const std::array<double, 4> b = unitValue(place_.to);
   const double d = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const double angle = std::acos(std::min(std::abs(d), 1.0));
-  // Between quaternions this close the chord and the arc are the same.
+  // Between quaternions this close, chord and arc are equal.
   const bool close = angle < 1e-6;
   const double fromA = close ? 1 - place_.t : std::sin((1 - place_.t) * angle);
   const double fromB = (close ? place_.t : std::sin(place_.t * angle)) * (d < 0 ? -1 : 1);

@@ -14,13 +14,13 @@ struct KeyPlace {
   std::size_t from = 0;
   std::size_t to = 0;
   double t = 0;
-  double keySeconds = 0;  ///< from one key to the other
+  double keySeconds = 0;  ///< from one key to the next
 };
 
-/// Of times that ascend, of which there is at least one.
+/// Finds a time among keys, which ascend and are at least one.
 KeyPlace placeAmong(const std::vector<float>& keys, double seconds);
 
-/// One track at one time, component by component (glTF 2.0, appendix C). The track outlives it.
+/// One track at one time, component by component (glTF 2.0, appendix C). The track must outlive it.
 class TrackSample {
  public:
   TrackSample(const Track& track, double seconds);
@@ -28,7 +28,7 @@ class TrackSample {
   std::size_t width() const { return width_; }
   double interpolated(std::size_t component) const;
   Double3 vector() const { return {interpolated(0), interpolated(1), interpolated(2)}; }
-  /// Of any length above 0: matrixFromParts() normalises.
+  /// A quaternion of any length above 0: matrixFromParts() normalises it.
   std::array<double, 4> rotation() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace opaline::scene {
 
-/// Geometry decisions are taken in double precision.
+/// Double, because geometric decisions need its precision.
 using Double3 = std::array<double, 3>;
 
 inline Double3 toDouble(const Vec3& v) {
@@ -50,7 +50,7 @@ inline Double3 areaVector(const Double3& a, const Double3& b, const Double3& c) 
   return cross(b - a, c - a);
 }
 
-/// Between the ways from p to the others, radians.
+/// The angle at p between the directions to q and r, in radians.
 inline double angleAt(const Double3& p, const Double3& q, const Double3& r) {
   return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
 }

@@ -8,7 +8,8 @@
 
 namespace opaline::scene {
 
-/// What only textures and colours read of a file's vertices. Each is empty or has one a vertex.
+/// The vertex attributes that only textures and colours use. Each list is empty or has one entry
+/// per vertex.
 struct VertexAttributes {
   std::size_t vertices = 0;
   std::array<std::vector<Vec2>, 2> textureCoordinates;
@@ -17,10 +18,12 @@ struct VertexAttributes {
 
 struct RawObject;
 
-/// Appends those of more vertices. What only one of the two has is 0 in the other, colours white.
+/// Appends the attributes of more vertices. Coordinates that one side lacks become 0, and colours
+/// white.
 void appendAttributes(VertexAttributes& to, VertexAttributes&& more);
 
-/// Brings them from the file's vertices, which `mesh.provenance` names, to those of the mesh.
+/// Maps an object's attributes from the file's vertices, which `mesh.provenance` names, to the
+/// mesh's.
 void alignAttributes(RawObject& object);
 
 }  // namespace opaline::scene

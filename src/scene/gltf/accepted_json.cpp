@@ -20,7 +20,7 @@ bool uses(const GltfPrescan& prescan, const char* extension) {
   return names(prescan.extensionsUsed) || names(prescan.extensionsRequired);
 }
 
-/// The member of an object, or nothing.
+/// The member of an object; null where there is none.
 json* member(json& of, const char* key) {
   const auto found = of.is_object() ? of.find(key) : of.end();
   return found == of.end() ? nullptr : &*found;
@@ -37,7 +37,7 @@ void forEach(json* array, Change&& change) {
   for (std::size_t i = 0; i < array->size(); ++i) change((*array)[i], i);
 }
 
-/// "/nodes/3/translation" is what a channel says without the extension.
+/// Turns a pointer such as "/nodes/3/translation" into the target of an ordinary channel.
 bool asNodeChannel(const std::string& pointer, json& target) {
   constexpr std::string_view start = "/nodes/";
   const std::size_t slash = pointer.rfind('/');
@@ -53,7 +53,7 @@ bool asNodeChannel(const std::string& pointer, json& target) {
   return true;
 }
 
-/// The library wants a node in every channel.
+/// tinygltf requires a node in every channel.
 bool acceptPointer(json& channel) {
   json* const target = member(channel, "target");
   if (target == nullptr) return false;
@@ -73,7 +73,7 @@ bool isPlaceholder(json& buffer, std::size_t index) {
     json* const fallback = extension == nullptr ? nullptr : member(*extension, "fallback");
     if (fallback != nullptr && *fallback == true) return true;
   }
-  // The first one may be the binary chunk.
+  // The first buffer may be the binary chunk.
   return index > 0 && buffer.is_object() && member(buffer, "uri") == nullptr;
 }
 

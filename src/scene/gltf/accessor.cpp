@@ -12,13 +12,13 @@ namespace opaline::scene {
 namespace {
 
 constexpr std::size_t mostNumbers = 300'000'000;
-/// Elements of an accessor without bytes of its own, which are zero but for sparse ones.
+/// Most elements of an accessor without bytes of its own. All but the sparse ones are zero.
 constexpr std::size_t mostZeroElements = 1'000'000;
 
 template <typename T>
 T load(const unsigned char* bytes) {
   T value;
-  std::memcpy(&value, bytes, sizeof(T));  // glTF is little-endian, as every supported host
+  std::memcpy(&value, bytes, sizeof(T));  // glTF is little-endian, as is every supported host
   return value;
 }
 

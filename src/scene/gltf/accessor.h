@@ -10,7 +10,7 @@
 namespace opaline::scene {
 
 /// Reads accessors of one model. Everything is checked against the bytes that are there before it
-/// is allocated; the sum of what is read is limited, since one accessor may be named many times.
+/// is allocated. The sum of what is read is limited, since a file may name one accessor many times.
 class GltfAccessors {
  public:
   GltfAccessors(const Input& input, const tinygltf::Model& model) : input_(input), model_(model) {}
@@ -25,7 +25,7 @@ class GltfAccessors {
   std::vector<std::uint32_t> integers(int accessor, int components,
                                       std::optional<std::size_t> count = std::nullopt);
 
-  /// Counts numbers that a file makes without reading them. Throws Error beyond the limit.
+  /// Counts numbers that a file causes without reading them. Throws Error beyond the limit.
   void spend(std::size_t numbers);
 
  private:
@@ -33,7 +33,8 @@ class GltfAccessors {
   std::vector<T> read(int accessor, int components, std::optional<std::size_t> count,
                       Convert&& convert);
   const tinygltf::Accessor& at(int accessor) const;
-  /// `count` elements of `elementBytes`, `strideBytes` apart (0: tight), in a view from an offset.
+  /// `count` elements of `elementBytes` in a view from an offset, `strideBytes` apart (0 on entry:
+  /// tightly packed).
   const unsigned char* bytes(int view, std::size_t offset, std::size_t count,
                              std::size_t elementBytes, std::size_t& strideBytes) const;
 

@@ -36,7 +36,7 @@ bool allFinite(const std::vector<float>& values) {
   return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-/// Their sizes have been checked where the hierarchy was resolved.
+/// resolveNodes() has checked the sizes of these arrays.
 bool readTransform(const tinygltf::Node& from, Node& node) {
   if (!from.matrix.empty()) {
     node.matrix = affineFrom(matrixFromColumns(from.matrix));
@@ -98,7 +98,7 @@ class Reader {
     failGltf(input_, fmt::format("animation '{}' {}", cleanText(clip.name, 60), reason));
   }
 
-  /// Clips are asked for by name, and "none" is that none plays.
+  /// Makes a clip's name unique: clips are asked for by name. "none" is taken, as it means no clip.
   std::string nameOfItsOwn(const std::string& wanted) {
     std::string name = wanted;
     while (name == "none" || !names_.insert(name).second) {
@@ -107,7 +107,7 @@ class Reader {
     return name;
   }
 
-  /// The nodes come parents first.
+  /// Appends a node; all nodes come in order, parents first.
   void addNode(std::size_t at) {
     const auto index = static_cast<std::size_t>(nodes_.order[at]);
     motion_.place[index] = static_cast<std::uint32_t>(at);
@@ -137,7 +137,7 @@ class Reader {
 
   void readChannel(const tinygltf::Animation& animation, Clip& clip,
                    const tinygltf::AnimationChannel& channel) {
-    if (channel.target_node == -1) return;  // for extensions
+    if (channel.target_node == -1) return;  // only an extension says what it moves
     if (channel.target_node < 0 ||
         static_cast<std::size_t>(channel.target_node) >= model_.nodes.size()) {
       fail(clip, fmt::format("moves node {}, which does not exist", channel.target_node));
@@ -182,7 +182,7 @@ class Reader {
       motion_.notAnimated.push_back(pointer);
       return;
     }
-    // Any target but weights takes as many numbers as it is told.
+    // Weights aside, readTrack() accepts any target and takes the width it is told.
     Track track = readTrack(clip, samplerOf(animation, clip, channel), TrackTarget::Translation,
                             found->width);
     clip.seconds = std::max(clip.seconds, track.seconds.back());

@@ -9,7 +9,7 @@
 
 namespace opaline::scene {
 
-/// Keys of a property that is no node's. Of the track only keys and values count.
+/// Keys of a property that does not belong to a node. Only keys and values of the track count.
 struct GltfPointerTrack {
   GltfPointer to;
   Track track;
@@ -20,15 +20,15 @@ struct GltfMotion {
   std::vector<Node> nodes;  ///< all of the file, parents first
   std::vector<Clip> clips;
   std::vector<std::vector<GltfPointerTrack>> pointers;  ///< of the clips, in their order
-  std::vector<std::string> notAnimated;                 ///< pointers that lead to nothing we move
-  std::vector<std::uint32_t> place;  ///< per node of the file its index among `nodes`
-  std::vector<bool> moved;           ///< per node of the file: a clip moves it or a node above it
-  std::vector<bool> weighted;        ///< per node of the file: a clip weighs its morph targets
+  std::vector<std::string> notAnimated;                 ///< pointers to what cannot be moved here
+  std::vector<std::uint32_t> place;  ///< per node of the file its index in `nodes`
+  std::vector<bool> moved;           ///< per node of the file: a clip moves it or an ancestor
+  std::vector<bool> weighted;        ///< per node of the file: a clip changes its morph weights
 
   bool any() const { return !clips.empty(); }
 };
 
-/// The weights that the file gives the targets of a node's mesh, the node's before the mesh's.
+/// The default weights of a node's morph targets: the node's own, else the mesh's.
 const std::vector<double>& defaultWeights(const tinygltf::Model& model, const tinygltf::Node& node);
 
 /// Throws Error for tracks whose parts do not fit each other, times that do not ascend and numbers

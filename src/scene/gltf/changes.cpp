@@ -18,18 +18,19 @@ namespace opaline::scene {
 
 namespace {
 
-/// Curves are followed in steps this long.
+/// Step at which curves are sampled.
 constexpr double stepSeconds = 1.0 / 60;
-/// Moments of one thing in one clip, and of a whole file.
+/// Most moments for one thing in one clip, and for a whole file.
 constexpr std::size_t mostMoments = 2048;
 constexpr std::size_t mostMomentsOfFile = 100'000;
 
-/// The times of keys, those between them, and before each step the last moment of what was.
+/// The times at which to sample: those of the keys, steps between them, and just before each step
+/// of a step track the last moment of the old value.
 std::vector<float> momentsOf(const std::vector<const Track*>& tracks) {
   std::vector<float> times;
   for (const Track* track : tracks) {
     const std::vector<float>& keys = track->seconds;
-    if (keys.size() > mostMoments) continue;  // as even as steps are
+    if (keys.size() > mostMoments) continue;  // steps serve as well as so many keys
     times.insert(times.end(), keys.begin(), keys.end());
     if (track->interpolation != Interpolation::Step) continue;
     for (const float key : keys)
@@ -54,7 +55,7 @@ std::vector<float> momentsOf(const std::vector<const Track*>& tracks) {
   return times;
 }
 
-/// Reads the changes of one clip after the other.
+/// Reads the changes of the clips, one after the other.
 class Reader {
  public:
   Reader(const Input& input, const tinygltf::Model& model, const GltfNodes& nodes,
@@ -86,7 +87,7 @@ class Reader {
   }
 
  private:
-  /// Tracks of the clip that move a node.
+  /// Tracks of the clip that move a node, by way of its ancestors too.
   std::vector<const Track*> tracksOf(std::size_t node) const {
     std::vector<bool> above(motion_.nodes.size());
     for (int n = static_cast<int>(node); n >= 0; n = nodes_.parents[static_cast<std::size_t>(n)])
@@ -104,7 +105,7 @@ class Reader {
     return found;
   }
 
-  /// With what these pointers say at a time.
+  /// `of` with its properties set to what these pointers say at a time.
   template <typename T>
   static T at(double seconds, const std::vector<const GltfPointerTrack*>& pointers, T of) {
     for (const GltfPointerTrack* pointer : pointers) {
@@ -116,7 +117,8 @@ class Reader {
     return of;
   }
 
-  /// Of all that moves a thing; empty where nothing does, or where there is no room for more.
+  /// The moments of everything that moves a thing. Empty where nothing does, or where the file has
+  /// no moments left.
   std::vector<float> moments(std::vector<const Track*> tracks,
                              const std::vector<const GltfPointerTrack*>& pointers,
                              const std::string& name) {
@@ -131,7 +133,7 @@ class Reader {
     return times;
   }
 
-  /// Where a node is; null while it has no directions.
+  /// A node's transform; null while it has no directions.
   const Matrix4* worldAt(std::size_t node, double seconds) {
     poseAt(moving_, static_cast<int>(clip_), seconds, pose_);
     const Matrix4& world = pose_.world[motion_.place[node]];
@@ -172,7 +174,7 @@ class Reader {
     keep(std::move(spots), of.index, to.spots);
   }
 
-  /// It looks as far as the scene's does.
+  /// The target keeps the distance that the scene's camera has from its own.
   void readCameraKeys(std::size_t node, ClipChanges& to) {
     const auto index = static_cast<std::size_t>(model_.nodes[node].camera);
     const tinygltf::Camera& camera = model_.cameras[index];
@@ -242,7 +244,7 @@ class Reader {
   const GltfParts& parts_;
   GltfMaterials& materials_;
   RawScene& scene_;
-  Scene moving_;  // its nodes and clips alone
+  Scene moving_;  // holds nodes and clips only
   Pose pose_;
   std::size_t clip_ = 0;
   std::size_t room_ = mostMomentsOfFile;

@@ -9,19 +9,19 @@
 
 namespace opaline::scene {
 
-/// Where the compressed parts of a file go when they are decoded: each into a buffer of its own,
-/// appended to the model. The sum of all sizes is limited, since one part may be named many times.
+/// Holds the decoded parts of a file: each goes into a buffer of its own, appended to the model.
+/// The sum of all sizes is limited, since a file may name one part many times.
 class GltfDecoded {
  public:
   GltfDecoded(const Input& input, tinygltf::Model& model) : input_(input), model_(model) {}
 
-  /// Throws Error where `whose` would exceed the limit. To be asked before anything is allocated.
+  /// Throws Error where `whose` would exceed the limit. Call it before anything is allocated.
   void reserve(std::size_t bytes, std::string_view whose);
 
   /// The number of the new buffer.
   int addBuffer(std::vector<unsigned char>&& data);
 
-  /// Part of a buffer of the file. Throws Error where `whose` names what is not there.
+  /// Part of a buffer of the file. Throws Error where `whose` names bytes that do not exist.
   std::span<const unsigned char> compressed(int buffer, std::size_t offset, std::size_t length,
                                             std::string_view whose) const;
 

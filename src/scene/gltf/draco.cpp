@@ -20,9 +20,8 @@ namespace opaline::scene {
 
 namespace {
 
-/// A stream may code a regular mesh in almost nothing. Beyond these sizes for one byte of it
-/// nothing is believed. A million equal squares in a plane, the best case there is, take 69 faces a
-/// byte.
+/// A stream may code a regular mesh in almost nothing, so sizes are limited per byte of it. A
+/// million equal squares in a plane, the best case, come to 69 faces a byte.
 constexpr std::size_t mostFacesOfOneByte = 256;
 constexpr std::size_t mostBytesOfOneByte = 16384;
 
@@ -42,12 +41,12 @@ draco::DecoderBuffer bufferOf(const Stream& stream) {
   failGltf(input, fmt::format("{} is damaged", stream.name));
 }
 
-/// What the decoder would take memory for before it has read the mesh.
+/// Sizes for which the decoder would allocate before it has read the mesh.
 struct Extent {
   bool edgebreaker = false;
   std::uint32_t faces = 0;
   std::uint32_t points = 0;
-  std::uint8_t seamed = 0;  ///< attributes that have tables of corners of their own
+  std::uint8_t seamed = 0;  ///< attributes with corner tables of their own
 };
 
 /// Reads the beginning of a stream (Draco bitstream specification 2.2, sections 3 and 4).
@@ -83,7 +82,7 @@ Extent extentOf(const Input& input, const Stream& stream) {
   return extent;
 }
 
-/// A decoder that looks at the sizes of attributes before it decodes them.
+/// A decoder that checks the sizes of attributes before it decodes them.
 template <typename Decoder>
 class Bounded : public Decoder {
  public:
@@ -114,7 +113,7 @@ void decodeBy(const Input& input, const Stream& stream, draco::Mesh& mesh) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {
-    // A size that no container can have.
+    // The decoder asked for a size that no container can have.
   }
   if (!whole) failDamaged(input, stream);
 }
@@ -168,7 +167,7 @@ int addIndices(GltfDecoded& decoded, const draco::Mesh& mesh) {
   return addAccessor(decoded, std::move(accessor), count, std::move(data));
 }
 
-/// Every point's values, one after the other. False where the stream has none for one.
+/// Every point's values, one after the other. False where a point has none in the stream.
 template <typename T>
 bool copyValues(const draco::PointAttribute& from, std::size_t points,
                 std::vector<unsigned char>& data) {
@@ -184,7 +183,7 @@ bool copyValues(const draco::PointAttribute& from, std::size_t points,
   return true;
 }
 
-/// The same as numbers of an accessor's type.
+/// The same, converted to an accessor's component type.
 bool copyAs(int componentType, const draco::PointAttribute& from, std::size_t points,
             std::vector<unsigned char>& data) {
   if (!from.is_mapping_identity() && from.indices_map_size() < points) return false;

@@ -36,7 +36,7 @@ inline std::vector<Double3> vectors(GltfAccessors& accessors, int accessor,
   return result;
 }
 
-/// Zero where there is no direction.
+/// The unit vector, or zero where `v` has no direction.
 inline Vec3 unitOrZero(const Double3& v) {
   const double size = length(v);
   return size > 0 && isFinite(v) ? toFloat((1 / size) * v) : Vec3{0, 0, 0};

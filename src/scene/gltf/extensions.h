@@ -8,17 +8,17 @@
 
 namespace opaline::scene {
 
-/// What becomes of an extension of glTF here.
+/// How this loader treats a glTF extension.
 enum class GltfExtension {
   Read,        ///< understood
-  Appearance,  ///< of textures and materials; without it shapes are right all the same
-  Unknown,     ///< may say where the vertices are, or how they are stored
+  Appearance,  ///< concerns textures or materials; shapes are right without it
+  Unknown,     ///< may concern where vertices are, or how they are stored
 };
 
 GltfExtension kindOf(std::string_view extension);
 
-/// Throws Error, naming them, when a file requires extensions that are not understood: it says that
-/// it looks wrong without them. What it only uses may be left out.
+/// Throws Error, naming them, when a file requires extensions that are not understood: the file
+/// says that it looks wrong without them. Extensions that it merely uses may be ignored.
 void requireKnownExtensions(const Input& input, const std::vector<std::string>& required);
 
 }  // namespace opaline::scene

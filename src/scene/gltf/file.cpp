@@ -21,10 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a binary file, with the head of its first chunk.
+/// The header of a binary file with the head of its first chunk.
 constexpr std::size_t headerBytes = 20;
 
-/// What the library asks of the file system goes through here.
+/// Answers the library's requests to the file system.
 struct FileAccess {
   std::string folder;  ///< canonical
   GltfPrescan prescan;
@@ -62,9 +62,9 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::str
   }
 }
 
-/// Every function that the library may call: versions that miss one keep their own, which would
-/// read any path. Some versions also ask for sizes before they read, for a limit that
-/// readWholeFile() has anyway.
+/// Sets every callback that the library has. Versions that find one missing use their own, which
+/// would read any path. Some versions also ask for sizes first, for a limit that readWholeFile()
+/// enforces anyway.
 template <typename Callbacks>
 Callbacks callbacksOf(FileAccess& access) {
   Callbacks callbacks{};
@@ -96,7 +96,7 @@ std::uint32_t littleEndian32(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-/// The JSON chunk of a binary file, or all of a text file.
+/// The JSON chunk of a binary file, or the whole of a text file.
 std::string_view jsonOf(const Input& input, bool binary) {
   const auto* text = reinterpret_cast<const char*>(input.bytes.data());
   if (!binary) return {text, input.bytes.size()};
@@ -141,9 +141,8 @@ std::string_view bytesToRead(const Input& input, const GltfPrescan& prescan, std
   return changed;
 }
 
-/// The first sentence of what the library complains about, empty if that is nothing serious: a
-/// skin's inverse bind matrices are optional (glTF 2.0, section 5.28), the library finds them
-/// missing and goes on.
+/// The first sentence of the library's complaints, empty if none is serious. The library reports
+/// missing inverse bind matrices, which are optional (glTF 2.0, section 5.28), and goes on.
 std::string firstComplaint(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
@@ -189,7 +188,7 @@ tinygltf::Model readGltf(const Input& input) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {
-    // A value of another type than the library expects.
+    // The JSON has a value of another type than the library expects.
     failGltf(input, fmt::format("its JSON is not glTF: {}", firstComplaint(exception.what())));
   }
   if (!access.refusal.empty()) failGltf(input, access.refusal);

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 constexpr std::size_t mostInstances = 1'000'000;
 
-/// Numbers of an attribute, none where the instances do not have it.
+/// Numbers of an instance attribute; none where the instances lack it.
 struct Attribute {
   std::vector<float> numbers;
   std::size_t size = 0;

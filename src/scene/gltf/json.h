@@ -9,13 +9,14 @@
 
 namespace opaline::scene {
 
-/// What an object of an extension holds under a key; none where that is nothing of the kind.
+/// The number that an extension's object holds under a key; none where there is no number.
 inline std::optional<double> gltfNumber(const tinygltf::Value& object, const std::string& key) {
   if (!object.Has(key) || !object.Get(key).IsNumber()) return std::nullopt;
   return object.Get(key).GetNumberAsDouble();
 }
 
-/// The same of an index or a small whole number; -2, which names nothing, where it is none.
+/// The same for an index or a small whole number. A number that is neither becomes -2, which names
+/// nothing.
 inline std::optional<int> gltfIndex(const tinygltf::Value& object, const std::string& key) {
   const std::optional<double> number = gltfNumber(object, key);
   if (!number) return std::nullopt;

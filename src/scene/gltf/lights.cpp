@@ -14,7 +14,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// The direction of an axis of a node, none where its transform is not invertible.
+/// The direction of a node's axis; none where the axis has no length or is not finite.
 std::optional<Double3> axisOf(const Matrix4& world, std::size_t axis) {
   const Double3& column = world.column[axis];
   const double size = length(column);
@@ -42,7 +42,7 @@ SpotLight spotLight(const Input& input, const tinygltf::Light& light, const Matr
   constexpr double toDegrees = 180 / std::numbers::pi;
   const double inner = light.spot.innerConeAngle * toDegrees;
   const double outer = light.spot.outerConeAngle * toDegrees;
-  // The extension allows no more than these. Rounding of π/2 is no mistake of the file.
+  // The extension allows no more than 90 degrees. The tolerance is for π/2 rounded.
   if (!(inner >= 0) || !(outer >= inner) || !(outer > 0) || !(outer <= 90 + 1e-4)) {
     failGltf(input, fmt::format("the cone of light '{}' goes from {:g} to {:g} degrees, but must "
                                 "end between its inner angle and 90 degrees",
@@ -68,7 +68,7 @@ float degreesSeen(const Input& input, const tinygltf::Camera& camera, const std:
   return static_cast<float>(degrees);
 }
 
-/// In units of the file, to both sides of the middle.
+/// The full height that an orthographic camera sees, in units of the file.
 float heightSeen(const Input& input, const tinygltf::Camera& camera, const std::string& name) {
   const auto height = static_cast<float>(2 * camera.orthographic.ymag);
   if (!std::isfinite(height) || height <= 0) {

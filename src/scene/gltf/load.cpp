@@ -25,11 +25,11 @@ namespace opaline::scene {
 namespace {
 
 constexpr double mmPerMetre = 1000;
-/// A file may draw one mesh any number of times: this many triangles or vertices at most, beyond
+/// A file may draw one mesh any number of times. This many triangles or vertices are allowed, plus
 /// one for every four bytes that are really there.
 constexpr std::size_t mostRepeated = 4'000'000;
 
-/// What a scene is gathered with.
+/// The state of a scene while its parts are gathered.
 struct Gathering {
   const Input& input;
   const tinygltf::Model& model;
@@ -84,7 +84,7 @@ void requireEqualTargets(const Gathering& of, const tinygltf::Mesh& mesh, std::s
   }
 }
 
-/// A texture whose coordinates the mesh does not have cannot be shown. Whether it was dropped.
+/// Drops a texture whose coordinates the mesh lacks, as it cannot be shown. Returns whether it did.
 bool dropWithout(const VertexAttributes& attributes, std::optional<Texture>& texture) {
   const bool isThere = texture && (texture->coordinates == 0 || texture->coordinates == 1) &&
                        !attributes.textureCoordinates[texture->coordinates == 1].empty();
@@ -160,7 +160,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     }
     append(*object, std::move(baked), part++);
   }
-  // Without this two objects of one node could not be told apart.
+  // Without numbers, two objects of one node could not be told apart.
   if (to.scene.objects.size() > first + 1) {
     for (std::size_t i = first; i < to.scene.objects.size(); ++i) {
       RawObject& object = to.scene.objects[i];
@@ -169,7 +169,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   }
 }
 
-/// Of the node's light, if it has one.
+/// Adds the node's light, if it has one.
 void addLight(Gathering& to, std::size_t nodeIndex) {
   const auto& extensions = to.model.nodes[nodeIndex].extensions;
   const auto found = extensions.find("KHR_lights_punctual");
@@ -198,7 +198,7 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
   to.scene.hasLights = true;
 }
 
-/// The first camera; where it looks at is put beside the middle of the scene.
+/// Takes the file's first camera; aimAtMiddle() sets how far away its target is.
 void takeCamera(Gathering& to, std::size_t nodeIndex) {
   const int index = to.model.nodes[nodeIndex].camera;
   if (index == -1) return;

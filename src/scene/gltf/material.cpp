@@ -61,7 +61,7 @@ void readDiffuseTransmission(const tinygltf::Material& of, GltfTextures& texture
         textures.texture(through.Get("diffuseTransmissionColorTexture"));
 }
 
-/// What is blended is shown where it is more there than not.
+/// A blended surface is shown where its alpha is at least one half.
 float cutoffOf(const tinygltf::Material& of) {
   if (of.alphaMode == "MASK") return within(of.alphaCutoff, 0, 1);
   return of.alphaMode == "BLEND" ? 0.5F : 0.0F;
@@ -97,7 +97,7 @@ OpaqueMaterial GltfMaterials::read(const tinygltf::Material& of) {
 
 std::optional<TranslucentSurface> GltfMaterials::readSurface(const tinygltf::Material& of) {
   OpaqueMaterial all = read(of);
-  // Only what is said: by default everything would be rough.
+  // Roughness counts only where the file gives it: by default everything would be rough.
   const bool saysRoughness = of.values.contains("roughnessFactor");
   std::optional<TranslucentSurface> surface = scene::surfaceFrom(all);
   if (!saysRoughness) return surface;

@@ -13,24 +13,23 @@ namespace opaline::scene {
 /// What a primitive is made of.
 struct GltfSurface {
   Translucent translucent;
-  std::optional<OpaqueMaterial> opaque;  ///< if set, the other does not count
+  std::optional<OpaqueMaterial> opaque;  ///< if set, `translucent` does not count
 };
 
-/// The materials of one file. One with no sign of translucency is opaque; a primitive without any
-/// is of the default medium.
+/// The materials of one file. A material without a sign of translucency is opaque. A primitive
+/// without a material gets the default medium.
 class GltfMaterials {
  public:
   GltfMaterials(const Input& input, const tinygltf::Model& model)
       : input_(input), model_(model), textures_(input, model) {}
 
-  /// Names of meshes and nodes may be those of media. Throws Error for a material that does not
-  /// exist.
+  /// Meshes and nodes may be named after media. Throws Error for a material that does not exist.
   GltfSurface surface(int material, std::string_view meshName, std::string_view nodeName);
 
-  /// An opaque one, as this says, whatever else there is of it.
+  /// What a material says when it is read as an opaque one.
   OpaqueMaterial opaqueOf(const tinygltf::Material& of) { return read(of); }
 
-  /// Those that have been asked for and are opaque.
+  /// The materials that have been asked for and are opaque.
   std::set<int> opaque() const;
 
  private:

@@ -19,12 +19,12 @@ using Numbers3 = std::array<double, 3>;
 
 double etaOf(const tinygltf::Material& material) {
   if (const auto eta = gltfNumber(material.extras, "eta")) return *eta;
-  // Below 1.01 the dipole has no boundary; 1.5 is the extension's own default.
+  // Below 1.01 the dipole has no boundary. 1.5 is the default of KHR_materials_ior.
   const double ior = gltfNumber(gltfExtension(material, "KHR_materials_ior"), "ior").value_or(1.5);
   return std::clamp(ior, 1.01, 3.0);
 }
 
-/// Throws Error where extras that say a medium are not of the kind that they have to be.
+/// Throws Error where extras that describe a medium are of the wrong type.
 void requireExtras(const Input& input, const tinygltf::Material& material) {
   const tinygltf::Value& extras = material.extras;
   const auto fail = [&](const char* key, const char* what) {
@@ -40,7 +40,7 @@ void requireExtras(const Input& input, const tinygltf::Material& material) {
   constexpr const char* path = "mean_free_path_mm";
   if (extras.Has(path) && !gltfNumbers<3>(extras, path) && !gltfNumber(extras, path))
     fail(path, "a number or three");
-  if (!extras.Has(path) && !extras.Has("sigma_a_per_mm")) return;  // the rest is somebody else's
+  if (!extras.Has(path) && !extras.Has("sigma_a_per_mm")) return;  // somebody else's extras
   requireThree("color");
   for (const char* key : {"eta", "g", "ball_mm"})
     if (extras.Has(key) && !gltfNumber(extras, key)) fail(key, "a number");
@@ -53,8 +53,8 @@ std::optional<Medium> fromExtras(const tinygltf::Material& material) {
   return Medium{cleanText(material.name), *scattering, *absorption, etaOf(material)};
 }
 
-/// What custom properties of a material say of how it looks, as programs that know no medium of
-/// glTF's can write them. Without a color of its own the base colour is it.
+/// The appearance in a material's extras. Programs that do not know glTF's media can write it as
+/// custom properties. Without a color there, the base colour is used.
 std::optional<Appearance> appearanceInExtras(const Input& input,
                                              const tinygltf::Material& material) {
   auto meanFreePath = gltfNumbers<3>(material.extras, "mean_free_path_mm");
@@ -155,7 +155,7 @@ std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material)
 
 namespace {
 
-/// Colours times what `shareOf` makes of their alpha, opaque.
+/// Colours times the share that `shareOf` derives from their alpha. The result is opaque.
 template <typename Share>
 std::shared_ptr<const TexturePixels> scaled(const TexturePixels& colors, const Share& shareOf) {
   TexturePixels result = colors;
@@ -177,7 +177,7 @@ double meanAlpha(const TexturePixels& pixels) {
   return 4 * sum / (65535 * std::max(static_cast<double>(pixels.rgba.size()), 1.0));
 }
 
-/// The texture of colours, times that of strengths.
+/// The texture of colours, multiplied by the texture of strengths.
 std::optional<Texture> colorsOf(const GltfScattering& scattering, GltfTextures& textures) {
   std::optional<Texture> colors;
   std::optional<Texture> strengths;
@@ -215,7 +215,7 @@ bool saysMediumByVolume(const tinygltf::Material& material) {
 
 namespace {
 
-/// Whether light goes through it, though it does not say what a medium is.
+/// Whether light goes through the material, although it does not describe a medium.
 bool letsLightThrough(const tinygltf::Material& material) {
   const auto above0 = [&](const char* name, const char* factor) {
     return gltfNumber(gltfExtension(material, name), factor).value_or(0) > 0;

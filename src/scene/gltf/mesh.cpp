@@ -52,8 +52,8 @@ std::vector<Triangle> assemble(int mode, const std::vector<std::uint32_t>& v) {
   return triangles;
 }
 
-/// Vertices that differ in texture coordinates, colours, joints or morph targets are different,
-/// although those do not show in a still.
+/// Vertices that differ in texture coordinates, colours, joints or morph targets get different
+/// tags, although a still picture may not show the difference.
 std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& accessors,
                                   const tinygltf::Primitive& primitive, std::size_t vertices) {
   std::vector<std::uint64_t> tags(vertices, 0);
@@ -87,7 +87,7 @@ std::vector<Vec2> textureCoordinates(GltfAccessors& accessors, const tinygltf::P
   const std::vector<float> numbers = accessors.floats(*accessor, 2, vertices);
   coordinates.resize(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
-    // A texture has no place for what is no number.
+    // A texture cannot be sampled at a place that is not finite.
     const Vec2 place{numbers[2 * v], numbers[2 * v + 1]};
     if (std::isfinite(place[0]) && std::isfinite(place[1])) coordinates[v] = place;
   }
@@ -106,7 +106,7 @@ std::vector<std::array<float, 4>> colors(const tinygltf::Model& model, GltfAcces
   const std::vector<float> numbers = accessors.floats(*accessor, static_cast<int>(width), vertices);
   std::vector<std::array<float, 4>> result(vertices, {1, 1, 1, 1});
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    // 0 where it is no number.
+    // NaN becomes 0.
     result[i / width][i % width] = numbers[i] > 0 ? std::min(numbers[i], 1.0F) : 0.0F;
   }
   return result;
@@ -120,8 +120,8 @@ VertexAttributes attributesOf(const tinygltf::Model& model, GltfAccessors& acces
           colors(model, accessors, primitive, vertices)};
 }
 
-/// The morph targets of a primitive, empty where they are not wanted. One that moves nothing turns
-/// no normal either.
+/// The morph targets of a primitive, empty where they are not wanted. A target that moves no vertex
+/// turns no normal either.
 template <typename Wanted>
 std::vector<MorphTarget> readTargets(GltfAccessors& accessors, const tinygltf::Primitive& primitive,
                                      const Draft& draft, Wanted&& wanted) {
@@ -169,7 +169,7 @@ void morphBy(const std::vector<double>& weights, const std::vector<MorphTarget>&
   }
 }
 
-/// Base of a rig: the vertices where they hang on nothing yet. Normals that the file lacks are
+/// The base of a rig: the vertices before anything moves them. Normals that the file lacks are
 /// zero.
 Rig rigOf(const Draft& draft) {
   Rig rig;
@@ -189,7 +189,7 @@ bool moves(const GltfMotion& motion, std::size_t node, const GltfSkin& skin) {
                      [&](const GltfJoint& joint) { return motion.moved[joint.node]; });
 }
 
-/// Hangs a rig on the nodes of the scene.
+/// Attaches a rig to the nodes of the scene.
 void hang(Rig& rig, const GltfMotion& motion, std::size_t node, GltfSkin&& skin) {
   rig.node = motion.place[node];
   if (skin.empty()) return;
@@ -206,8 +206,8 @@ void transformBy(const Matrix4& matrix, Draft& draft) {
   draft.mirrored = matrix.determinant() < 0;
 }
 
-/// glTF 2.0, section 3.7.2.1: without normals every triangle is flat, so it gets vertices of its
-/// own. Vertices that no triangle names stay, to be counted.
+/// glTF 2.0, section 3.7.2.1: without normals every triangle is flat, so each gets its own
+/// vertices. Vertices that no triangle names stay, to be counted.
 RawMesh flatMesh(const Draft& draft) {
   RawMesh mesh;
   std::vector<bool> used(draft.positions.size());

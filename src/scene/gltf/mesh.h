@@ -9,8 +9,8 @@
 namespace opaline::scene {
 
 struct BakedPrimitive {
-  RawMesh mesh;  ///< in the rest pose, its provenance naming the primitive's vertices
-  VertexAttributes attributes;  ///< of these
+  RawMesh mesh;                 ///< in the rest pose; its provenance names the primitive's vertices
+  VertexAttributes attributes;  ///< of the primitive's vertices
   std::optional<Rig> rig;       ///< where a clip can move it
 };
 
@@ -21,7 +21,7 @@ BakedPrimitive bakePrimitive(const Input& input, const tinygltf::Model& model,
                              GltfAccessors& accessors, std::size_t node,
                              const tinygltf::Primitive& primitive);
 
-/// Whether the mode of a primitive makes triangles.
+/// Whether the mode of a primitive produces triangles.
 bool isSurface(const tinygltf::Primitive& primitive);
 
 }  // namespace opaline::scene

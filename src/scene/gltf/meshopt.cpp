@@ -20,7 +20,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// How a view is compressed, under the names of the extension.
+/// How a view is compressed, in the terms of the extension.
 struct Compression {
   std::string view;  ///< how messages call it
   std::span<const unsigned char> bytes;
@@ -30,7 +30,7 @@ struct Compression {
   std::string filter;
 };
 
-/// What a mode makes of one byte at most.
+/// A mode, and the most bytes that it can make of one.
 struct Mode {
   const char* name;
   std::size_t mostOfOneByte;
@@ -58,7 +58,7 @@ void decodeColors(std::vector<unsigned char>& data) {
     const int y = color[0];
     const int orange = signedValue(color[1]);
     const int green = signedValue(color[2]);
-    // The highest bit of alpha tells how many bits the others have.
+    // The highest bit of alpha tells how many bits the other channels have.
     const int scale = (1 << std::bit_width(color[3])) - 1;
     const int alpha = color[3] & (scale >> 1);
     const std::array<int, 4> wide{y + orange - green, y + green, y - orange - green,
@@ -72,7 +72,7 @@ void decodeColors(std::vector<unsigned char>& data) {
   }
 }
 
-/// Which strides a filter is for, and what it does.
+/// A filter: the strides that it accepts, and what it does.
 struct Filter {
   const char* name;
   bool (*allows)(std::size_t stride);
@@ -150,7 +150,7 @@ Compression compressionOf(const GltfDecoded& decoded, const tinygltf::Value& ext
   return of;
 }
 
-/// What the extension requires of a view, and that so few bytes can be so much.
+/// Checks what the extension requires of a view, and that so few bytes can yield so many.
 void check(const Input& input, const Compression& of, const tinygltf::BufferView& view) {
   const Mode& mode = named(input, modes, "mode", of, of.mode);
   const Filter& filter = named(input, filters, "filter", of, of.filter);

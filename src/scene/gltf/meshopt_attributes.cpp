@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-// The libraries of many distributions know version 0 only, so this is written after the
-// specification.
+// The libraries of many distributions know version 0 only, so this code follows the specification.
 
 namespace opaline::scene {
 
@@ -19,7 +18,7 @@ constexpr std::size_t groupElements = 16;
 constexpr std::size_t mostBlockElements = 256;
 constexpr std::size_t mostStride = 256;
 
-/// Of one byte of each element of a block.
+/// The deltas of one byte position, for all elements of a block.
 using Deltas = std::array<unsigned char, mostBlockElements>;
 
 /// Bits per delta of a group, by the two bits of its header.
@@ -27,14 +26,14 @@ using Widths = std::array<unsigned, 4>;
 constexpr Widths widthsOfVersion0{0, 2, 4, 8};
 constexpr std::array<Widths, 2> widthsOfControl{{{0, 1, 2, 4}, {1, 2, 4, 8}}};
 
-constexpr unsigned allZero = 2;  ///< a control, as are the places of the two above
+constexpr unsigned allZero = 2;  ///< a control; smaller ones index widthsOfControl
 constexpr unsigned literal = 3;
 
 constexpr unsigned ofBytes = 0;  ///< a channel's mode
 constexpr unsigned ofPairs = 1;
 constexpr unsigned ofWords = 2;
 
-/// Takes bytes from the front. What is taken beyond the end is empty and remembered.
+/// Takes bytes from the front. Taking more than is left yields nothing, and is remembered.
 class Source {
  public:
   explicit Source(Bytes bytes) : left_(bytes) {}
@@ -56,8 +55,8 @@ class Source {
   bool short_ = false;
 };
 
-/// Packed values, then a whole byte for each whose bits are all set. Single bits are packed from
-/// the lowest bit of a byte, wider ones from the highest.
+/// A group is packed values, then a whole byte for each value whose bits are all set. Single bits
+/// are packed from the lowest bit of a byte, wider ones from the highest.
 void readGroup(Source& from, unsigned width, unsigned char* group) {
   if (width == 0) {
     std::fill_n(group, groupElements, static_cast<unsigned char>(0));
@@ -108,13 +107,13 @@ T withoutZigzag(T value) {
   return static_cast<T>((value & 1U) != 0 ? ~(value >> 1U) : value >> 1U);
 }
 
-/// Adds up the deltas of values of type T that begin at one byte of the elements, which lie
-/// `stride` apart. `previous` is the element before the first, and becomes the last.
+/// Adds up the deltas of values of type T that begin at one byte of the elements, `stride` apart.
+/// `previous` is the element before the first; on return it is the last.
 template <typename T, typename Next>
 void addUp(const Deltas* deltas, std::size_t count, std::size_t stride, unsigned char* to,
            unsigned char* previous, Next&& next) {
   T value{};
-  std::memcpy(&value, previous, sizeof(T));  // little-endian, as every supported host
+  std::memcpy(&value, previous, sizeof(T));  // little-endian, as is every supported host
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t delta = 0;
     for (std::size_t b = 0; b < sizeof(T); ++b) delta |= std::uint32_t{deltas[b][i]} << (8 * b);
@@ -124,7 +123,7 @@ void addUp(const Deltas* deltas, std::size_t count, std::size_t stride, unsigned
   std::memcpy(previous, &value, sizeof(T));
 }
 
-/// The four bytes of a channel, which share a mode.
+/// Decodes the four bytes of a channel, which share a mode.
 void addUpChannel(unsigned char mode, const Deltas* deltas, std::size_t count, std::size_t stride,
                   unsigned char* to, unsigned char* previous) {
   const auto sums = [&]<typename T>(T) {

@@ -41,7 +41,7 @@ std::vector<int> parentsOf(const Input& input, const tinygltf::Model& model) {
   return parents;
 }
 
-/// Appends what hangs below, parents first.
+/// Appends the nodes below those in `order`, parents first.
 void appendSubtrees(const tinygltf::Model& model, std::vector<int>& order) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::vector<int>& children = model.nodes[static_cast<std::size_t>(order[i])].children;
@@ -88,7 +88,7 @@ GltfNodes resolveNodes(const Input& input, const tinygltf::Model& model) {
     const int parent = parents[index];
     nodes.world[index] = parent < 0 ? local : nodes.world[static_cast<std::size_t>(parent)] * local;
   }
-  // A scene may list a node and one above it; each is drawn once.
+  // A scene may list both a node and its ancestor; each node is drawn once.
   std::vector<bool> inScene(model.nodes.size());
   for (const int root : rootsOfScene(input, model, allRoots)) {
     inScene[static_cast<std::size_t>(root)] = true;

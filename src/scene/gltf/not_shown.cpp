@@ -29,20 +29,20 @@ bool isBlack(const std::vector<double>& factor) {
   return std::all_of(factor.begin(), factor.end(), [](double c) { return c == 0; });
 }
 
-/// Whether the object looks as this extension says.
+/// Whether the object is shown as this extension asks.
 bool isRead(const tinygltf::Material& material, bool isTranslucent, std::string_view extension) {
   if (extension == "KHR_materials_volume" || extension == "KHR_materials_volume_scatter" ||
       extension == "KHR_materials_scatter") {
     return saysMediumByVolume(material);
   }
-  // What goes through a medium goes through it by scattering.
+  // A medium passes light on by scattering only.
   if (extension == "KHR_materials_transmission") return saysMediumByVolume(material);
   if (extension == "KHR_materials_diffuse_transmission")
     return !isTranslucent || saysMediumByVolume(material);
   return kindOf(extension) == GltfExtension::Read;
 }
 
-/// What two extensions say of how light gets into a body.
+/// What two extensions say about how light enters a body.
 struct WayIn {
   double clear = 0;    ///< of KHR_materials_transmission, tinted by the base colour
   double diffuse = 0;  ///< of KHR_materials_diffuse_transmission, of the rest
@@ -61,9 +61,9 @@ WayIn wayInto(const tinygltf::Material& material) {
               material.extensions.contains("KHR_materials_diffuse_transmission")};
 }
 
-/// Whether a medium shows all there is to see of the base colour. Where all light enters diffusely,
-/// nothing is given back in it. Where its picture is the medium's too, it is for readers that know
-/// no media.
+/// Whether nothing of the base colour is lost in a medium. Where all light enters diffusely, none
+/// is reflected in the base colour. Where the medium uses the same picture, the base colour is
+/// there for readers that know no media.
 bool losesNoBaseColor(const tinygltf::Material& material) {
   if (baseColorIsOfMedium(material)) return true;
   const WayIn in = wayInto(material);
@@ -74,8 +74,8 @@ bool losesNoBaseColor(const tinygltf::Material& material) {
              material.pbrMetallicRoughness.baseColorTexture.index;
 }
 
-/// What of them a medium does not have: it takes all the light that its surface does not mirror,
-/// everywhere and whatever its colour.
+/// Adds what a medium cannot show of these extensions. It takes in all light that its surface does
+/// not mirror, everywhere and whatever the light's colour.
 void addWayIn(const tinygltf::Material& material, const std::string& name,
               std::vector<NotShown>& to) {
   if (!saysMediumByVolume(material)) return;
@@ -111,7 +111,7 @@ void addMaterial(const tinygltf::Material& material, bool isTranslucent, const s
   const std::optional<GltfScattering> scattering = gltfScattering(material);
   if (scattering && scattering->texturesLieApart())
     addNotShown(to, "variations of scatter strength beside a colour texture", name);
-  // Its surface ends where it is less there than not.
+  // A medium's surface ends where alpha is below one half.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {
     if (!isRead(material, isTranslucent, extension))
@@ -125,7 +125,7 @@ std::string nameOr(const std::string& name, std::string_view kind, std::size_t i
 
 constexpr const char* variants = "KHR_materials_variants";
 
-/// Of a mesh once, however often it is drawn.
+/// Adds each mesh once, however often it is drawn.
 void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int>& opaque,
              std::set<std::size_t>& materials, std::vector<NotShown>& to) {
   const tinygltf::Mesh& mesh = model.meshes[index];
@@ -149,7 +149,7 @@ void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int
   if (varies) addNotShown(to, variants, name);
 }
 
-/// Beside those of materials, which are counted with these.
+/// Adds extensions outside materials too; those of materials are counted with them.
 void addExtensions(const tinygltf::Model& model, std::vector<NotShown>& to) {
   for (const std::string& used : model.extensionsUsed) {
     const bool isSaid = std::any_of(to.begin(), to.end(), [&](const NotShown& kind) {

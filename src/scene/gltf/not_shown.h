@@ -9,7 +9,7 @@
 
 namespace opaline::scene {
 
-/// What of the nodes that are drawn, their materials and the file's extensions no picture shows.
+/// What no picture shows of the drawn nodes, their materials and the file's extensions.
 std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes,
                                  const std::set<int>& opaque);
 

@@ -94,7 +94,7 @@ tinygltf::Value valueOf(std::span<const double> numbers) {
   return tinygltf::Value(std::move(list));
 }
 
-/// Sets what lies in an object below the keys from `at` on.
+/// Sets a value in an object, under the keys from `at` on.
 void setIn(tinygltf::Value& object, const std::vector<std::string>& keys, std::size_t at,
            std::span<const double> numbers) {
   if (at == keys.size()) {
@@ -105,7 +105,7 @@ void setIn(tinygltf::Value& object, const std::vector<std::string>& keys, std::s
   setIn(object.Get<tinygltf::Value::Object>()[keys[at]], keys, at + 1, numbers);
 }
 
-/// Of the extensions of something, whose path begins with "extensions/".
+/// The same in something's extensions. The path begins with "extensions/".
 void setIn(tinygltf::ExtensionMap& extensions, std::string_view path,
            std::span<const double> numbers) {
   const std::vector<std::string> keys = partsOf(path);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t deepestNesting = 200;
 constexpr std::size_t mostValues = 4'000'000;
-/// Of what lies in a file that may be read.
+/// The largest extent that a file of readable size can hold.
 constexpr std::uint64_t largestExtent = longestFileBytes;
 
 int hexDigit(char c) {
@@ -122,7 +122,8 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   /// An object directly in root.buffers.
   bool inBuffer() const { return inBuffers_ && depth_ == 3; }
 
-  /// A number that tinygltf would take for 0, or cut to 32 bits, where it is out of range.
+  /// Whether the number is one that tinygltf would take for 0, or cut to 32 bits, if it is too
+  /// large.
   bool isExtent() const {
     return inData_ && (lastKey_ == "count" || lastKey_ == "byteOffset" ||
                        lastKey_ == "byteLength" || lastKey_ == "byteStride");
@@ -143,7 +144,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool inBuffers_ = false;
   bool inData_ = false;  ///< in root.buffers, root.bufferViews or root.accessors
   bool bufferHasUri_ = false;
-  std::string root_;  ///< the key in the root that all this belongs to
+  std::string root_;  ///< the key in the root below which everything lies
   std::string lastKey_;
 };
 
@@ -155,9 +156,10 @@ GltfPrescan prescanGltf(const Input& input, std::string_view json) {
   if (!whole || !scanner.problem.empty()) {
     failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
   }
-  // Extensions may say what else looks damaged.
+  // The error of an unknown extension comes first, since it may explain what else looks damaged.
   requireKnownExtensions(input, scanner.found.extensionsRequired);
-  // Each would get a copy of the binary chunk, if it is no placeholder that is filled later.
+  // tinygltf copies the binary chunk into each such buffer, unless it is a placeholder to be filled
+  // later.
   if (scanner.buffersWithoutUri() > 1 && !mayHavePlaceholders(scanner.found)) {
     failGltf(input, "more than one buffer lacks a uri");
   }

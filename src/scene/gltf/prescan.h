@@ -9,19 +9,19 @@
 
 namespace opaline::scene {
 
-/// What has to be known of the JSON before a recursive parser that copies what it is told may see
-/// it.
+/// What must be known of the JSON before it reaches a recursive parser, which copies whatever it is
+/// told to.
 struct GltfPrescan {
   std::set<std::string> bufferFiles;  ///< external, percent-decoded
   std::vector<std::string> extensionsUsed{};
-  std::vector<std::string> extensionsRequired{};  ///< all read
+  std::vector<std::string> extensionsRequired{};  ///< all of them understood
 };
 
-/// Throws Error for bytes that are no JSON, nested too deep, with too many values, or with several
-/// buffers in the binary chunk.
+/// Throws Error for bytes that are not JSON, for JSON that is nested too deep or has too many
+/// values, and for several buffers in the binary chunk.
 GltfPrescan prescanGltf(const Input& input, std::string_view json);
 
-/// A URI's %20 become spaces, and so on.
+/// Decodes the %20 and the like of a URI.
 std::string percentDecoded(std::string_view uri);
 
 }  // namespace opaline::scene

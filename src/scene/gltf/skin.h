@@ -14,7 +14,7 @@ struct GltfJoint {
   Matrix4 inverseBind;
 };
 
-/// How the vertices of one primitive hang on the joints of its skin.
+/// How the joints of a skin move the vertices of one primitive.
 struct GltfSkin {
   std::vector<GltfJoint> joints;
   std::vector<std::uint32_t> firstInfluence;  ///< per vertex and one more
@@ -23,8 +23,8 @@ struct GltfSkin {
   bool empty() const { return joints.empty() || influences.empty(); }
 };
 
-/// Any number of sets of four influences; weights are brought to a sum of 1, vertices without any
-/// stay with the first joint. Empty where the primitive or the skin has none.
+/// Reads any number of sets of four influences. Weights are scaled to a sum of 1; vertices without
+/// any follow the first joint. Empty where the primitive or the skin has none.
 GltfSkin readSkin(const Input& input, const tinygltf::Model& model, GltfAccessors& accessors,
                   int skin, const tinygltf::Primitive& primitive, std::size_t vertices);
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* webpExtension = "EXT_texture_webp";
 
-/// Pixels of all pictures of one file.
+/// Most pixels of all pictures of one file.
 constexpr std::size_t mostPixels = std::size_t{1} << 28U;
 
 TextureWrap wrapOf(int mode) {

@@ -16,11 +16,11 @@ class GltfTextures {
  public:
   GltfTextures(const Input& input, const tinygltf::Model& model) : input_(input), model_(model) {}
 
-  /// What a material names, by a `textureInfo`, which texture of the file, which coordinates, and
-  /// what KHR_texture_transform says; none where it names none, and where its picture cannot be
-  /// read, which is noted once. Throws Error for an index out of range.
+  /// The texture that a material's `textureInfo` names: its index in the file, its coordinates, and
+  /// what KHR_texture_transform says. None where no texture is named, or where its picture cannot
+  /// be read, which is noted once. Throws Error for an index out of range.
   std::optional<Texture> texture(int index, int coordinates, const tinygltf::ExtensionMap& with);
-  /// The same of an extension, whose textures are JSON yet.
+  /// The same for an extension, whose texture is still JSON.
   std::optional<Texture> texture(const tinygltf::Value& info);
 
  private:
@@ -31,8 +31,8 @@ class GltfTextures {
 
   const Input& input_;
   const tinygltf::Model& model_;
-  std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: cannot be read
-  std::set<std::string> leftOut_;                               ///< why, said once each
+  std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: could not be read
+  std::set<std::string> leftOut_;                               ///< reasons already logged
   std::size_t pixelsRead_ = 0;
 };
 

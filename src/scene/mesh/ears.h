@@ -10,8 +10,8 @@
 
 namespace opaline::scene {
 
-/// A set of numbers below a limit, in order: words of bits, above them words of which bits are set
-/// where a word below has any.
+/// An ordered set of numbers below a limit, as levels of bits. A bit of a higher level tells
+/// whether a word of the level below has any bit set.
 class OrderedBits {
  public:
   static constexpr std::uint32_t none = ~0U;
@@ -19,7 +19,7 @@ class OrderedBits {
   void reset(std::size_t limit);
   void insert(std::uint32_t number);
   void erase(std::uint32_t number);
-  /// The least that is not below `from`.
+  /// The smallest number that is at least `from`.
   std::uint32_t next(std::uint32_t from) const;
 
  private:
@@ -27,11 +27,11 @@ class OrderedBits {
   std::size_t count_ = 0;  ///< of levels in use
 };
 
-/// Cuts corners off a polygon that turns left, each time the next around it whose triangle has no
-/// other corner inside (Meisters 1975).
+/// Cuts ears off a polygon that turns left: each time the next corner around it whose triangle
+/// holds no other corner (Meisters 1975).
 class Ears {
  public:
-  /// Hands each triangle to `found`; false where no ear is left, or `mostSteps` are done.
+  /// Passes each triangle to `found`. False where no ear is left, or after `mostSteps`.
   template <typename Found>
   bool clip(std::span<const Double2> corners, std::size_t mostSteps, std::size_t& steps,
             const Found& found) {
@@ -50,7 +50,7 @@ class Ears {
   using Corners = std::array<std::uint32_t, 3>;
 
   void start(std::span<const Double2> corners);
-  /// Three times the same where there is none.
+  /// Three equal corners where there is no ear.
   Corners nextEar(std::size_t mostSteps, std::size_t& steps);
   void cut(const Corners& ear);
   void judge(std::uint32_t corner);
@@ -66,10 +66,10 @@ class Ears {
   std::uint32_t at_ = 0;
   std::vector<std::uint32_t> before_;
   std::vector<std::uint32_t> after_;
-  OrderedBits hopeful_;  ///< turn left, and nothing is known to lie inside
+  OrderedBits hopeful_;  ///< corners that turn left and may have nothing inside
   PointTree tree_;
-  /// By corner: what lies in its triangle, and the first of those in whose triangles it lies. Some
-  /// of these wait for it no more.
+  /// By corner: the corner that lies in its triangle, and the first corner in whose triangle it
+  /// lies itself. Some entries may be out of date.
   std::vector<std::uint32_t> waitsFor_;
   std::vector<std::uint32_t> firstWaiting_;
   std::vector<Waiting> waiting_;

@@ -10,7 +10,7 @@ namespace opaline::scene {
 
 namespace {
 
-// Of a part's surface, that its holes may be to count as closed.
+// How large a part's holes may be, relative to its surface, for it to count as closed.
 constexpr double largestHoles = 0.05;
 
 double distance(const Vec3& a, const Vec3& b) {
@@ -35,7 +35,7 @@ std::vector<bool> trianglesWithInside(std::span<const Vec3> positions,
   }
   std::vector<double> area(positions.size(), 0);
   for (const Triangle& t : surface) area[parts.find(t[0])] += areaOf(positions, t);
-  // Holes by what of their borders hangs together.
+  // Border sides that are connected bound one hole.
   const std::vector<HalfEdge> edges = sortedHalfEdges(surface);
   DisjointSets borders(positions.size());
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
@@ -49,7 +49,7 @@ std::vector<bool> trianglesWithInside(std::span<const Vec3> positions,
   });
   std::vector<double> holes(positions.size(), 0);
   for (std::uint32_t v = 0; v < lengths.size(); ++v)
-    // No flat hole of a given border is larger than a disc.
+    // A circle encloses the largest area, so no flat hole with this border is larger.
     holes[parts.find(v)] += lengths[v] * lengths[v] / (4 * std::numbers::pi);
   std::vector<bool> inside;
   inside.reserve(surface.size());

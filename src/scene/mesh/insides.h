@@ -7,8 +7,8 @@
 
 namespace opaline::scene {
 
-/// For every triangle whether the part of the mesh that it hangs together with has an inside: no
-/// open sides, or holes so small that together they are at most a twentieth of its surface.
+/// For every triangle whether the connected part of the mesh around it has an inside: it has no
+/// open sides, or its holes together are at most a twentieth of its surface.
 std::vector<bool> trianglesWithInside(std::span<const Vec3> positions,
                                       std::span<const Triangle> triangles);
 

@@ -54,7 +54,7 @@ Mesh makeMesh(std::vector<Vec3> positionsMm, std::vector<Triangle> triangles) {
 
 namespace {
 
-// All but what has an inside.
+// All facts but whether a part has an inside.
 MeshFacts bordersAndParts(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
   scene::requireSound(positionsMm, triangles);
   const std::vector<Triangle> surface =

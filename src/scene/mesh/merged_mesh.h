@@ -9,8 +9,8 @@
 
 namespace opaline::scene {
 
-/// Throws UsageError for positions that are not finite or beyond 1e18 mm, and for triangles that
-/// name vertices that do not exist.
+/// Throws UsageError for positions that are not finite or beyond 1e18 mm, and for triangles whose
+/// vertices do not exist.
 void requireSound(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles);
 
 /// All objects of a scene end to end, in the rest pose, as one surface.
@@ -18,17 +18,17 @@ struct MergedMesh {
   std::vector<Vec3> positionsMm;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> objectOfTriangle;
-  std::vector<std::uint32_t> bodyOfTriangle;  ///< as bodyOfObject has it
+  std::vector<std::uint32_t> bodyOfTriangle;  ///< numbered as in bodyOfObject
   std::vector<std::uint32_t> bodyOfObject;    ///< see bodyOfObjects()
   std::vector<std::uint32_t> firstObjectOfBody;
 };
 
 MergedMesh mergedMesh(const Scene& scene);
 
-/// The mesh outlives it.
+/// The result refers to the mesh, which must outlive it.
 core::RestSurface surfaceOf(const MergedMesh& merged);
 
-/// The same, in which each body counts as one object: what is divided together.
+/// The same with each body as one object, since a body is divided as a whole.
 core::RestSurface bodiesOf(const MergedMesh& merged);
 
 }  // namespace opaline::scene

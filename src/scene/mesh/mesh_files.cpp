@@ -26,7 +26,7 @@ std::string shown(const fs::path& path) {
   return cleanText(path.string(), 1000);
 }
 
-/// Numbers of all files that fit, ascending; the folder is listed once.
+/// Numbers of all matching files, ascending. The folder is listed once.
 std::vector<int> numbersOf(const NumberedName& name, const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::vector<int> numbers;
@@ -74,7 +74,8 @@ RawScene MeshFiles::loadFirst(const LogCallback& log) {
   RawScene raw = loadModel(from, log);
   RawMesh& mesh = onlyStillObject(raw, shown(from), purpose).mesh;
   faces_ = faceListOf(mesh);
-  // Repairs and scales the rig with the mesh; what comes of it is what the next files need.
+  // The rig goes through all repairs and scaling with the mesh. What becomes of it is what later
+  // files need.
   startProvenance(mesh);
   raw.objects[0].rig = Rig{};
   raw.objects[0].rig->positions = mesh.positions;

@@ -13,9 +13,9 @@
 
 namespace opaline::scene {
 
-/// The numbered files of a sequence, and how their vertices become those of the scene that is made
-/// of the first: loadFirst(), inMillimetres(), followRepairs(), whatever places it, finished(),
-/// followPlace(). Then read() knows what was done to the first.
+/// The numbered files of a sequence, and how their vertices become those of a scene made from the
+/// first file. Call in order: loadFirst(), inMillimetres(), followRepairs(), anything that places
+/// the scene, finished(), followPlace(). Then read() can repeat what was done to the first file.
 class MeshFiles {
  public:
   /// As MeshSequence; a sequence cannot be morphed.
@@ -28,7 +28,7 @@ class MeshFiles {
 
   RawScene loadFirst(const LogCallback& log);
   void followRepairs(const RawScene& repaired);
-  /// Leaves a scene without a rig.
+  /// Removes the rig from the scene.
   void followPlace(Scene& scene);
 
   /// As MeshSequence::read().
@@ -40,7 +40,7 @@ class MeshFiles {
   int first_ = 0;
   int last_ = 0;
   FaceList faces_;
-  std::vector<std::uint32_t> origin_;  // per vertex of the scene the file's
+  std::vector<std::uint32_t> origin_;  // per vertex of the scene, the file's vertex
   Matrix4 toScene_;
 };
 

@@ -13,7 +13,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// There in half of it, gently at both ends, and back.
+/// The first half goes to the target, gently at both ends; the second returns.
 constexpr float clipSeconds = 4;
 
 Clip thereAndBack() {

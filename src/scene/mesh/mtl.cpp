@@ -54,11 +54,11 @@ class MtlReader {
     material.baseColor = color(from.diffuse);
     material.baseColorTexture = texture(from.diffuse_texname, from.diffuse_texopt);
     material.metallic = within(from.metallic, 1);
-    // Of the same width as Blinn's lobe of that exponent (Walter et al. 2007).
+    // As wide as Blinn's lobe of that exponent (Walter et al. 2007).
     material.roughness = from.roughness > 0
                              ? within(from.roughness, 1)
                              : std::pow(2 / (within(from.shininess, 1e6F) + 2), 0.25F);
-    // Head on it mirrors Ks.
+    // Seen head-on, the surface mirrors Ks.
     constexpr float headOn = 0.04F;
     const Rgb mirrored = color(from.specular);
     material.specular = mirrored == Rgb{} ? 0.0F : 1.0F;
@@ -97,7 +97,7 @@ class MtlReader {
 
   const Input& obj_;
   std::map<std::string, OpaqueMaterial> materials_;
-  std::map<std::string, std::shared_ptr<const TexturePixels>> pixels_;  // null: cannot be read
+  std::map<std::string, std::shared_ptr<const TexturePixels>> pixels_;  // null: could not be read
 };
 
 }  // namespace

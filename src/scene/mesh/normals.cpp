@@ -20,7 +20,7 @@ std::vector<Double3> smoothNormals(std::span<const Double3> positions,
     for (std::size_t c = 0; c < 3; ++c) {
       const double angle = angleAt(corner[c], corner[(c + 1) % 3], corner[(c + 2) % 3]);
       sums[t[c]] = sums[t[c]] + angle * normal;
-      normals[t[c]] = normal;  // stays where opposite faces cancel
+      normals[t[c]] = normal;  // keeps its value where opposite faces cancel
     }
   }
   for (std::size_t v = 0; v < sums.size(); ++v) {

@@ -29,7 +29,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// A stream over text that stays where it is.
+/// A stream that reads text in place.
 class TextStream : private std::streambuf, public std::istream {
  public:
   explicit TextStream(std::string_view text) : std::istream(this) {
@@ -49,7 +49,7 @@ struct Group {
 constexpr std::int64_t noNormal = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t noPlace = noNormal;
 
-/// A position, a normal and a place in a texture, by index from 0.
+/// A position, a normal and texture coordinates, by index from 0.
 struct Corner {
   std::int64_t position = 0;
   std::int64_t normal = noNormal;
@@ -65,9 +65,9 @@ struct ObjReader {
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
   std::size_t current = 0;
-  std::string part{};                    ///< of `o` or `g`, that faces belong to
+  std::string part{};                    ///< current part, named by `o` or `g`
   std::set<std::string> parts{};         ///< that have faces
-  std::vector<std::size_t> endOfFace{};  ///< among the corners
+  std::vector<std::size_t> endOfFace{};  ///< one past its last corner
 
   void use(const std::string& material) {
     const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
@@ -75,7 +75,8 @@ struct ObjReader {
     current = entry->second;
   }
 
-  /// From 1-based, or negative and counted from the last so far, to 0-based.
+  /// Turns an index that is 1-based, or negative and relative to the last one so far, into a
+  /// 0-based one.
   static std::int64_t resolve(int index, std::size_t countSoFar) {
     return index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(countSoFar) + index;
   }
@@ -96,7 +97,7 @@ struct ObjReader {
     if (!part.empty()) parts.insert(part);
   }
 
-  /// Only at the end, since a face may stand before its vertices.
+  /// To be called at the end, since a face may precede its vertices.
   void checkRange() const {
     for (const Corner& corner : corners) {
       if (corner.position < 0 || corner.position >= static_cast<std::int64_t>(positions.size())) {
@@ -145,7 +146,8 @@ tinyobj::callback_t callbacks() {
   return callback;
 }
 
-/// Gives faces without normals those of their smoothing groups. One group is as smooth as none.
+/// Gives faces without normals those of their smoothing groups. A single group needs no work:
+/// missing normals become smooth anyway.
 void smoothen(std::span<const ObjSmoothing> smoothing, ObjReader& reader) {
   const bool isOneGroup =
       std::all_of(smoothing.begin(), smoothing.end(), [&](const ObjSmoothing& from) {
@@ -238,7 +240,7 @@ class VertexTable {
   std::unordered_map<Key, std::uint32_t, HashOfNumbers> known_;
 };
 
-/// Positions that no face names join the first mesh, so that they are seen and counted.
+/// Adds positions that no face names to the first mesh, so that repair sees and counts them.
 void addUnused(const ObjReader& reader, RawObject& object) {
   RawMesh& mesh = object.mesh;
   std::vector<bool> used(reader.positions.size());
@@ -298,7 +300,7 @@ RawScene loadObj(const Input& input) {
 
   const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
   const Materials materials = readMtl(input, files);
-  // Those that are neither a medium nor in a material file all become marble: one object.
+  // Groups that neither are named after a medium nor have a material all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {
     if (group.sizes.empty()) continue;

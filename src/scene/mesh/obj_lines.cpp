@@ -16,7 +16,7 @@ namespace {
 
 struct Line {
   std::string_view text;
-  std::size_t size = 0;  ///< with the break
+  std::size_t size = 0;  ///< with the line break
 };
 
 Line nextLine(std::string_view& text) {
@@ -94,7 +94,7 @@ void checkCorners(const Input& input, std::string_view line, std::size_t number)
   }
 }
 
-/// "off", 0, or a number; none if it is neither.
+/// "off" counts as 0; none if the word is neither that nor a number.
 std::optional<std::uint32_t> smoothingGroup(std::string_view word) {
   if (word == "off") return 0;
   if (word == "on") return 1;

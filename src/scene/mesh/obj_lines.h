@@ -19,27 +19,27 @@ std::string_view textOf(const Input& input);
 /// Takes the next word off a line, empty at its end.
 std::string_view nextWord(std::string_view& line);
 
-/// The text with every line that ends in \ joined to the next: what stood between them becomes
+/// The text with every line that ends in \ joined to the next. What stood between them becomes
 /// spaces, so that everything else stays at its place. Comments are not continued, as they may end
 /// in a folder's name. None where no line is continued.
 std::optional<std::string> joinedLines(std::string_view text);
 
-/// From a face on, faces are of this smoothing group; 0: of none, flat.
+/// From `firstFace` on, faces are in this smoothing group. Faces of group 0 are flat.
 struct ObjSmoothing {
   std::size_t firstFace = 0;
   std::uint32_t group = 0;
 };
 
-/// What the lines hold that tinyobjloader does not tell of.
+/// What the lines hold that tinyobjloader does not report.
 struct ObjExtras {
   std::size_t coloredVertices = 0;
   std::vector<std::string> materialFiles;
-  std::vector<ObjSmoothing> smoothing;  ///< empty where nothing is said of it
+  std::vector<ObjSmoothing> smoothing;  ///< empty where the file has no groups
 };
 
-/// tinyobjloader reads what is no number as 0, lets an index overflow and stops at a zero byte; so
-/// lines with numbers are looked at first. `text` is the file's, with its lines joined; messages
-/// count the lines that the file has.
+/// Checks lines with numbers, since tinyobjloader reads what is not a number as 0, lets an index
+/// overflow and stops at a zero byte. `text` is the file's text with its lines joined; messages
+/// count the lines of the file itself.
 ObjExtras requireSoundLines(const Input& input, std::string_view text);
 
 }  // namespace opaline::scene

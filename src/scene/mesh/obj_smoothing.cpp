@@ -11,7 +11,7 @@ namespace opaline::scene {
 
 namespace {
 
-// Of the polygon, as long as twice its area (Newell; Sutherland, Sproull and Schumacker 1974).
+// The polygon's area vector, twice its area long (Newell; Sutherland, Sproull and Schumacker 1974).
 Double3 areaOf(std::span<const Vec3> positions, const ObjFace& face) {
   Double3 sum{};
   const Double3 origin = toDouble(positions[face.positions[0]]);

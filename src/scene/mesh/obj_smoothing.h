@@ -16,14 +16,15 @@ struct ObjFace {
   std::vector<std::uint32_t> positions{};  ///< of its corners
 };
 
-/// The normals that smoothing groups give the corners of faces. Equal ones at one position are one.
+/// The normals that smoothing groups give the corners of faces. Equal normals at one position are
+/// shared.
 struct ObjNormals {
-  std::vector<Vec3> normals;            ///< zero where nothing around has an area
-  std::vector<std::uint32_t> ofCorner;  ///< which of them each has, face after face
+  std::vector<Vec3> normals;            ///< zero where no face around has an area
+  std::vector<std::uint32_t> ofCorner;  ///< the normal of each corner, face after face
 };
 
-/// The mean over the faces around a position that are of the same group, weighted by their angles
-/// there (Thürmer and Wüthrich 1998). Faces of group 0 are flat.
+/// The mean over the faces of one group around a position, weighted by their angles there (Thürmer
+/// and Wüthrich 1998). Faces of group 0 are flat.
 ObjNormals normalsOfSmoothing(std::span<const Vec3> positions, std::span<const ObjFace> faces,
                               std::span<const ObjSmoothing> smoothing);
 

@@ -136,7 +136,8 @@ Header parseHeader(const Input& input) {
     }
     const std::vector<std::string_view> line = words(text.substr(at, end - at));
     at = end + 1;
-    // Decided once: after a lone \r the first byte of the body may be a \n.
+    // Decided once, at the first line: after a lone \r the first byte of the body may be a
+    // .
     if (lineNumber == 0) pairs = text.substr(end).starts_with("\r\n");
     if (pairs && text.substr(end).starts_with("\r\n")) ++at;
     if (lineNumber == 0) {
@@ -177,14 +178,14 @@ class Body {
   Body(const Input& input, const Header& header)
       : input_(input), rest_(input.bytes.subspan(header.bytes)), encoding_(header.encoding) {}
 
-  /// Whether `element` can be there at all: every item takes some bytes.
+  /// Throws Error unless the file has room for `element`: every item takes some bytes.
   void requireRoom(const Element& element) const {
     std::uint64_t least = 0;
     for (const Property& property : element.properties) {
       least +=
           encoding_ == Encoding::Ascii ? 2 : sizeOf(property.listCount.value_or(property.type));
     }
-    // The last number of a text needs no separator behind it.
+    // The last number of a text needs no separator after it.
     const std::uint64_t room = rest_.size() + (encoding_ == Encoding::Ascii ? 1 : 0);
     if (least > 0 && element.count > room / least) truncated(element);
   }

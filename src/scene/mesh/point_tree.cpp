@@ -52,7 +52,7 @@ void PointTree::build(const Range& range) {
   build(range.half(1));
 }
 
-/// Of the points of a range.
+/// The node for the points of a range.
 PointTree::Node PointTree::nodeOf(const Range& range) const {
   Node node = empty;
   for (std::size_t i = range.begin; i < range.end; ++i) {
@@ -101,7 +101,8 @@ std::optional<std::uint32_t> PointTree::inside(const Range& range,
   return std::nullopt;
 }
 
-/// Beyond one of the triangle's sides, where turn(), which rounding leaves monotonic, is largest.
+/// Whether the box lies beyond one side of the triangle. turn() is largest at one corner of the
+/// box, since rounding keeps it monotonic.
 bool PointTree::isOutside(const Node& node, const std::array<std::uint32_t, 3>& corners) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const Double2& a = points_[corners[i]];

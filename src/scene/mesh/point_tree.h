@@ -11,20 +11,21 @@ namespace opaline::scene {
 
 using Double2 = std::array<double, 2>;
 
-/// Twice the area of a triangle, positive where it turns left.
+/// Twice the area of a triangle, positive where its corners turn left.
 inline double turn(const Double2& a, const Double2& b, const Double2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Points of the plane from which some are taken away, by halves (Bentley 1975).
+/// Points of the plane, halved again and again (Bentley 1975), from which single ones can be
+/// removed.
 class PointTree {
  public:
   void build(std::span<const Double2> points);
 
   void remove(std::uint32_t point);
 
-  /// One of those left that lies in a triangle that turns left, or on its border, and not where a
-  /// corner is; the corners themselves are none. Adds the work to `steps`.
+  /// A point that was not removed and lies inside a left-turning triangle, or on its border. The
+  /// corners do not count, nor do points at a corner. Adds the work to `steps`.
   std::optional<std::uint32_t> inside(const std::array<std::uint32_t, 3>& corners,
                                       std::size_t& steps) const;
 
@@ -56,7 +57,7 @@ class PointTree {
 
   std::span<const Double2> points_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> placeOf_;  ///< in order_; none where removed
+  std::vector<std::uint32_t> placeOf_;  ///< index in order_; none if removed
   std::vector<Node> nodes_;             ///< the halves of node i are 2i + 1 and 2i + 2
 };
 

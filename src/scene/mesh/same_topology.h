@@ -15,15 +15,15 @@ struct FaceList {
   std::uint64_t hash = 0;  ///< of the corners of all faces
 };
 
-/// Of a mesh as its file gives it; polygons count as they are, since how they are cut into
-/// triangles depends on where their corners lie.
+/// The list of a mesh as its file gives it. Polygons count uncut, since the triangles they are cut
+/// into depend on where their corners lie.
 FaceList faceListOf(const RawMesh& mesh);
 
-/// How the second differs from the first; empty if it does not.
+/// How the second list differs from the first; empty if it does not.
 std::string differenceOf(const FaceList& first, const FaceList& second);
 
-/// The only object of a file. Throws Error, naming it and `use`, where there are several or where
-/// it moves by itself.
+/// The only object of a file. Throws Error, naming the file and `use`, where there are several
+/// objects or where it is animated.
 RawObject& onlyStillObject(RawScene& scene, const std::string& file, const std::string& use);
 
 }  // namespace opaline::scene

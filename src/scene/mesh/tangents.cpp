@@ -10,7 +10,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// Of a triangle, from its first corner.
+/// The edges of a triangle from its first corner.
 struct Edges {
   Double3 toSecond;
   Double3 toThird;
@@ -21,7 +21,8 @@ Edges edgesOf(const Mesh& mesh, const Triangle& t) {
   return {toDouble(mesh.positionsMm[t[1]]) - first, toDouble(mesh.positionsMm[t[2]]) - first};
 }
 
-/// Along which the first coordinate grows; twice the area in the texture, whose rows go down.
+/// The direction in which the first coordinate grows, and twice the area in the texture, whose rows
+/// go down.
 struct Growth {
   Double3 along{};
   double area = 0;
@@ -49,7 +50,7 @@ double angleAt(const Mesh& mesh, const Triangle& t, std::size_t corner, const Do
   return std::acos(std::clamp(dot(next, last), -1.0, 1.0));
 }
 
-/// The nearest to `v` in the plane of the triangle, by its edges.
+/// The projection of `v` on the triangle's plane, in terms of its edges.
 Vec2 byEdges(const Double3& v, const Edges& edges) {
   const double aa = dot(edges.toSecond, edges.toSecond);
   const double ab = dot(edges.toSecond, edges.toThird);
@@ -68,7 +69,7 @@ std::vector<TriangleTangents> tangentsOf(const Mesh& mesh, std::size_t coordinat
   std::vector<TriangleTangents> tangents(mesh.triangles.size());
   const std::vector<Vec2>& places = mesh.textureCoordinates[coordinates];
   if (places.empty()) return tangents;
-  // Of each handedness.
+  // One set of sums for each handedness.
   std::array<std::vector<Double3>, 2> sums;
   sums.fill(std::vector<Double3>(mesh.positionsMm.size()));
   const auto handOf = [](double area) { return area < 0 ? std::size_t{1} : std::size_t{0}; };

@@ -22,7 +22,7 @@ Double3 polygonNormal(const RawMesh& mesh, std::span<const std::uint32_t> corner
   return normal;
 }
 
-/// Drops the axis along which the polygon's normal is longest; keeps its turn.
+/// Projects along the axis on which the polygon's normal is longest, and keeps the turn.
 Double2 flatten(const Double3& p, const Double3& normal) {
   const double x = std::abs(normal[0]);
   const double y = std::abs(normal[1]);
@@ -32,7 +32,8 @@ Double2 flatten(const Double3& p, const Double3& normal) {
   return {normal[0] > 0 ? p[1] : -p[1], p[2]};
 }
 
-/// Every corner turns left, and once around: no two corners lie on the wrong side of the fan.
+/// Whether every corner turns left and the polygon goes around once, so that no corner lies on the
+/// wrong side of the fan.
 bool isConvex(std::span<const Double2> p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const std::size_t next = (i + 1) % p.size();

@@ -11,11 +11,12 @@
 
 namespace opaline::scene {
 
-/// Cuts polygons into triangles: a fan where the polygon is convex, ears where it is not. One
-/// object serves one file, so that a hostile file cannot ask for endless work.
+/// Cuts polygons into triangles: fans where they are convex, ears where they are not. One object
+/// serves one file and limits the work that a hostile file can cause.
 class Triangulator {
  public:
-  /// Appends to mesh.triangles, or counts a bad polygon. Corners must be in range of the positions.
+  /// Appends to mesh.triangles, or counts a bad polygon. The corners must be valid indices of
+  /// positions.
   void add(RawMesh& mesh, std::span<const std::uint32_t> corners);
 
  private:

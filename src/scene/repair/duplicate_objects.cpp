@@ -13,8 +13,8 @@ namespace opaline::scene {
 
 namespace {
 
-/// Objects of one hash that another is compared with: those of one mesh and medium differ in their
-/// textures at most.
+/// Each object is compared with this many others of the same hash. Those of one mesh and medium can
+/// only differ in their textures.
 constexpr std::size_t mostCompared = 16;
 
 std::vector<bool> changingIn(const Scene& scene) {
@@ -52,7 +52,7 @@ bool areSame(const Object& a, const Object& b) {
   return areSame(a.mesh, b.mesh) && materialOf(a) == materialOf(b);
 }
 
-// Of each object the one that it is again, or itself.
+// For each object the first one that equals it, or itself.
 std::vector<std::size_t> originalsIn(const Scene& scene) {
   const std::vector<bool> changing = changingIn(scene);
   std::vector<std::size_t> originals(scene.objects.size());
@@ -77,7 +77,7 @@ std::vector<std::size_t> originalsIn(const Scene& scene) {
 std::size_t removeDuplicateObjects(Scene& scene) {
   const std::vector<std::size_t> originals = originalsIn(scene);
   std::vector<Object> kept;
-  std::vector<std::uint32_t> indices;  // those that objects have from now on
+  std::vector<std::uint32_t> indices;  // the new index of each object
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (originals[i] == i) {
       indices.push_back(static_cast<std::uint32_t>(kept.size()));

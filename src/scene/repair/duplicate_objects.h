@@ -6,8 +6,8 @@
 
 namespace opaline::scene {
 
-/// Leaves out objects that have the place, the shape and the material of one before them, and
-/// returns their number. What moves or changes its material is never among them.
+/// Removes objects that have the place, shape and material of an earlier one, and returns their
+/// number. Objects that move or change their material always stay.
 std::size_t removeDuplicateObjects(Scene& scene);
 
 }  // namespace opaline::scene

@@ -14,8 +14,8 @@ bool isManifold(std::span<const HalfEdge> edge) {
   return edge.size() == 1 || (edge.size() == 2 && edge[0].forward != edge[1].forward);
 }
 
-/// Names every corner after its fan: the triangles around a point that hang together through
-/// manifold edges.
+/// Puts every corner into the set of its fan: the triangles around a point that are connected
+/// through manifold edges.
 DisjointSets fansOf(std::span<const HalfEdge> edges, std::size_t triangles) {
   DisjointSets fans(3 * triangles);
   const auto corner = [](const HalfEdge& half, std::uint32_t step) {
@@ -37,7 +37,7 @@ std::uint32_t copyVertex(RawMesh& mesh, std::uint32_t v) {
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
-/// Every fan at a point of a cut edge gets vertices of its own.
+/// Gives every fan at a point of a cut edge its own vertices.
 void separateFans(RawMesh& mesh, std::span<const std::uint32_t> points,
                   const std::vector<bool>& cutPoint, DisjointSets& fans) {
   struct Corner {
@@ -67,7 +67,8 @@ void separateFans(RawMesh& mesh, std::span<const std::uint32_t> points,
   }
 }
 
-/// Where one fan meets the same edge more than once, all triangles but one pair leave it.
+/// Where one fan meets the same edge more than once, one pair of triangles keeps the edge and all
+/// others are detached.
 void detachRest(RawMesh& mesh) {
   const std::vector<HalfEdge> edges = sortedHalfEdges(mesh.triangles);
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t noComponent = 0xFFFFFFFFU;
 
-/// Triangles that hang together through edges with exactly two sides.
+/// Groups of triangles that are connected through edges with exactly two sides.
 struct Patches {
   std::vector<std::uint32_t> component;  ///< per triangle
   std::vector<bool> against;             ///< per triangle: disagrees with the component's first
@@ -63,19 +63,19 @@ Patches findPatches(std::span<const HalfEdge> edges, std::size_t triangles) {
   return patches;
 }
 
-/// Measures of one component, as its first triangle is turned.
+/// Measures of one component, oriented like its first triangle.
 struct Measures {
   std::size_t triangles = 0;
   std::size_t against = 0;
   double area = 0;
   double fanArea = 0;  ///< of the fans over its open edges
-  double volume = 0;   ///< closed by the fans
+  double volume = 0;   ///< with the fans closing the component
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};
   std::uint32_t anyPoint = 0;
 };
 
-/// Open sides of a component, gathered to loops by the points they share.
+/// Closes each open loop of a component by a fan, and adds the fans to its measures.
 void addFans(const RawMesh& mesh, std::span<const Triangle> surface,
              std::span<const HalfEdge> edges, const Patches& patches,
              std::vector<Measures>& measures) {
@@ -144,19 +144,19 @@ std::vector<Measures> measure(const RawMesh& mesh, std::span<const Triangle> sur
   return measures;
 }
 
-/// +1 looks outwards, -1 inwards, 0 cannot be told.
+/// +1 faces outwards, -1 inwards, 0 cannot be told.
 int verdict(const Measures& m) {
   const double total = m.area + m.fanArea;
   // A sphere has volume / area^1.5 = 0.094.
   const double fullness = m.volume / std::pow(total, 1.5);
   if (m.fanArea == 0) return std::abs(fullness) < 1e-9 ? 0 : (fullness > 0 ? 1 : -1);
-  // The fan over a flat sheet has half of the area, that over a half sphere a third.
+  // The fan over a flat sheet makes up half of the area, that over a half sphere a third.
   if (m.fanArea > 0.4 * total || std::abs(fullness) < 0.003) return 0;
   return fullness > 0 ? 1 : -1;
 }
 
-/// Crossings of a ray along +x from `p` with the closed component, by the sign of areas in the
-/// yz-plane (half-open, so that a shared edge counts once).
+/// Whether `p` lies inside the closed component: counts crossings of a ray along +x by the sign of
+/// areas in the yz-plane. They are half-open, so that a shared edge counts once.
 bool isInside(const Double3& p, const RawMesh& mesh, std::span<const Triangle> surface,
               const Patches& patches, std::uint32_t component) {
   bool inside = false;
@@ -165,7 +165,7 @@ bool isInside(const Double3& p, const RawMesh& mesh, std::span<const Triangle> s
     const std::array<Double3, 3> c{toDouble(mesh.positions[surface[t][0]]) - p,
                                    toDouble(mesh.positions[surface[t][1]]) - p,
                                    toDouble(mesh.positions[surface[t][2]]) - p};
-    // Where the line y = 0 meets the outline, then where z = 0 lies between those two places.
+    // First where the outline meets the line y = 0, then where z = 0 lies between those two places.
     std::array<Double3, 2> cut{};
     int cuts = 0;
     for (std::size_t i = 0; i < 3 && cuts < 2; ++i) {
@@ -182,11 +182,11 @@ bool isInside(const Double3& p, const RawMesh& mesh, std::span<const Triangle> s
   return inside;
 }
 
-/// Each test for a cavity passes over the mesh; beyond this many steps none is looked for, so that
-/// a mesh of countless crumbs does not take quadratic time.
+/// Each test for a cavity visits the whole mesh. Beyond this many steps no more cavities are looked
+/// for, so that a mesh of countless crumbs does not take quadratic time.
 constexpr std::size_t cavityBudget = 200'000'000;
 
-/// A closed component that looks inwards and lies in an odd number of others is a cavity.
+/// A closed component is a cavity if it faces inwards and lies in an odd number of others.
 bool isCavity(std::uint32_t inner, const RawMesh& mesh, std::span<const Triangle> surface,
               const Patches& patches, const std::vector<Measures>& measures, std::size_t& steps) {
   steps += measures.size();
@@ -207,7 +207,7 @@ bool isCavity(std::uint32_t inner, const RawMesh& mesh, std::span<const Triangle
   return around % 2 == 1;
 }
 
-/// Per component whether its first triangle has to be turned.
+/// Per component whether its first triangle must be turned.
 std::vector<bool> decide(const RawMesh& mesh, std::span<const Triangle> surface,
                          const Patches& patches, const std::vector<Measures>& measures) {
   std::vector<bool> turn(measures.size());
@@ -231,7 +231,7 @@ std::vector<bool> decide(const RawMesh& mesh, std::span<const Triangle> surface,
     }
     (wholeInward ? anyInward : anyOutward) = true;
   }
-  // A lid cannot be told by itself; it was turned like the pot it lies on.
+  // The turn of a lid cannot be told by itself; the lid was turned like the pot on which it lies.
   if (anyInward && !anyOutward) {
     for (std::size_t i = 0; i < turn.size(); ++i) {
       if (!told[i]) turn[i] = !turn[i];

@@ -15,10 +15,11 @@ struct OrientationResult {
   std::vector<bool> turned;      ///< per triangle
 };
 
-/// Turns triangles so that neighbours agree and surfaces look outwards. `points` names the vertices
-/// that are one point of the surface. Closed components enclose a positive volume afterwards,
-/// unless they are a cavity inside another; open ones are closed by fans first and only turned when
-/// little of the volume is due to the fans; what cannot be told keeps the turn of its majority.
+/// Turns triangles so that neighbours agree and surfaces face outwards. `points` tells which
+/// vertices are one point of the surface. Closed components enclose a positive volume afterwards,
+/// unless they are a cavity inside another. Open ones are closed by fans first, and turned only
+/// where the fans contribute little of the volume. Where nothing can be told, the majority keeps
+/// its turn.
 OrientationResult orientOutward(RawMesh& mesh, std::span<const std::uint32_t> points);
 
 }  // namespace opaline::scene

@@ -34,7 +34,8 @@ std::size_t countUnused(const RawMesh& mesh) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
-/// Height below 1e-12 of the longest side: no normal can be told in double precision.
+/// Whether the height is below 1e-12 of the longest side: double precision cannot tell a normal
+/// then.
 bool isDegenerate(const RawMesh& mesh, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
   const Double3 a = toDouble(mesh.positions[t[0]]);
@@ -53,7 +54,7 @@ Vec3 normalOf(const RawMesh& mesh, std::uint32_t v) {
   return mesh.normals.empty() || !isFinite(mesh.normals[v]) ? none : mesh.normals[v];
 }
 
-/// Vertices that are one point of the surface and agree in everything else become one.
+/// Merges vertices that are one point of the surface and agree in everything else.
 std::size_t mergeDuplicates(RawMesh& mesh, std::span<const std::uint32_t> points) {
   std::vector<std::uint32_t> order(mesh.positions.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -77,14 +78,14 @@ std::size_t mergeDuplicates(RawMesh& mesh, std::span<const std::uint32_t> points
   return merged;
 }
 
-/// The smallest corner first, turn kept.
+/// The triangle with its smallest corner first; the turn is kept.
 Triangle rotated(const Triangle& t) {
   if (t[0] <= t[1] && t[0] <= t[2]) return t;
   if (t[1] <= t[0] && t[1] <= t[2]) return {t[1], t[2], t[0]};
   return {t[2], t[0], t[1]};
 }
 
-/// Of triangles with equal keys only the first stays.
+/// Keeps only the first of triangles with equal keys.
 std::size_t keepFirst(std::vector<Triangle>& triangles, const std::vector<Triangle>& keys) {
   std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});

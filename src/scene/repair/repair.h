@@ -23,7 +23,7 @@ namespace opaline::scene {
 /// finite and when no triangle is left.
 std::vector<Repair> repairMesh(RawMesh& mesh, const std::string& object);
 
-/// Adds to the entry of the same name, or appends one.
+/// Adds to the entry of the same name, or appends a new one.
 void addRepair(std::vector<Repair>& repairs, const std::string& what, std::size_t count);
 
 }  // namespace opaline::scene

@@ -18,7 +18,7 @@ constexpr double nearness = 1e-6;  // of the extent
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// On edges of one triangle of the sewn surface.
+/// Vertices on edges that only one triangle of the sewn surface has.
 std::vector<std::uint32_t> verticesOnOpenEdges(const RawMesh& mesh,
                                                std::span<const std::uint32_t> points) {
   const std::vector<Triangle> surface = renamed(mesh.triangles, points);
@@ -45,10 +45,10 @@ double extentOf(const RawMesh& mesh) {
   return length(high - low);
 }
 
-/// Places so far apart that each is one, by cells as wide as what counts as near.
+/// Distinct places, no two of them near each other. They are found by cells as wide as what counts
+/// as near.
 class Places {
  public:
-  /// For all of these vertices.
   Places(double within, const RawMesh& mesh, std::span<const std::uint32_t> vertices)
       : within_(within) {
     cells_.reserve(vertices.size());
@@ -58,11 +58,11 @@ class Places {
     places_.resize(cells_.size());
   }
 
-  /// The place that is near, which this becomes where there is none.
+  /// The place near a position. The position becomes a new place where there is none.
   Vec3 placeFor(const Vec3& position) {
     const Cell at = cellOf(position);
     const Vec3* near = nullptr;
-    std::int64_t nearest = 27;  // of the cells around, the first that has one
+    std::int64_t nearest = 27;  // order of the cell around that was found first
     for (int row = 0; row < 9; ++row) {
       const Cell begin{at[0] + row % 3 - 1, at[1] + row / 3 - 1, at[2] - 1};
       const Cell end{begin[0], begin[1], at[2] + 2};
@@ -98,8 +98,8 @@ class Places {
   }
 
   double within_;
-  std::vector<Cell> cells_;                ///< that have vertices, ascending
-  std::vector<std::vector<Vec3>> places_;  ///< in each of them
+  std::vector<Cell> cells_;                ///< cells with vertices, ascending
+  std::vector<std::vector<Vec3>> places_;  ///< in each of these cells
 };
 
 }  // namespace
@@ -107,7 +107,7 @@ class Places {
 std::size_t closeSeams(RawMesh& mesh, std::span<const std::uint32_t> points) {
   const std::vector<std::uint32_t> open = verticesOnOpenEdges(mesh, points);
   const double within = open.empty() ? 0 : nearness * extentOf(mesh);
-  // Further out than that from the origin, neighbouring floats are further apart.
+  // Further out than this, neighbouring floats lie further apart than what counts as near.
   constexpr double largestCell = 1e15;
   double furthest = 0;
   for (const std::uint32_t v : open)

@@ -8,10 +8,10 @@
 
 namespace opaline::scene {
 
-/// Moves vertices on open edges that lie within a millionth of the mesh's extent of each other to
-/// one place: a round body whose texture begins and ends at a seam is closed, although the program
-/// that made it rounded 0 and 2π otherwise. `points`: as sewn() has them. Returns how many were
-/// moved.
+/// Moves vertices on open edges to one place where they lie within a millionth of the mesh's extent
+/// of each other. A round body whose texture begins and ends at a seam is thus closed, although the
+/// program that made it rounded 0 and 2π differently. `points` is the result of sewn(). Returns how
+/// many vertices were moved.
 std::size_t closeSeams(RawMesh& mesh, std::span<const std::uint32_t> points);
 
 }  // namespace opaline::scene

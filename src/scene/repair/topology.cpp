@@ -70,7 +70,7 @@ std::vector<Triangle> renamed(std::span<const Triangle> triangles,
 
 namespace {
 
-/// Sides without a partner, named by the places of their ends.
+/// A side without a partner, named by the places of its ends.
 struct OpenSide {
   std::uint32_t lowPlace = 0;
   std::uint32_t highPlace = 0;
@@ -122,7 +122,7 @@ std::uint32_t cornerName(std::uint32_t triangle, std::uint32_t corner) {
 
 }  // namespace
 
-// Corners around one vertex that hang together through triangles form a fan; two boundary sides
+// A fan is the corners around one vertex that are connected through triangles. Two boundary sides
 // belong to one loop when they share a fan.
 Borders bordersOf(std::span<const Triangle> triangles, std::span<const HalfEdge> edges) {
   DisjointSets corners(3 * triangles.size());

@@ -21,7 +21,7 @@ class DisjointSets {
   std::vector<std::uint32_t> parent_;
 };
 
-/// A side of a triangle: from its corner `corner` to the next.
+/// A side of a triangle, from `corner` to the next.
 struct HalfEdge {
   std::uint32_t low = 0;   ///< the smaller vertex
   std::uint32_t high = 0;  ///< the larger vertex
@@ -30,7 +30,7 @@ struct HalfEdge {
   bool forward = true;  ///< runs from low to high
 };
 
-/// All sides of all triangles, those of one edge beside each other.
+/// All sides of all triangles, those of one edge next to each other.
 std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles);
 
 /// Calls `visit(std::span<const HalfEdge>)` once for every edge.
@@ -48,12 +48,12 @@ void forEachEdge(std::span<const HalfEdge> sorted, Visit&& visit) {
   }
 }
 
-/// For every position the index of the first that is equal.
+/// For every position the index of the first equal one.
 std::vector<std::uint32_t> equalPositions(std::span<const Vec3> positions);
 
-/// For every vertex the smallest vertex that is the same point of the surface: open edges that lie
-/// upon each other are sewn together; surfaces that merely touch in a point, or whose edges are
-/// already taken, stay apart.
+/// For every vertex the smallest vertex that is the same point of the surface. Open edges that
+/// coincide are sewn together. Surfaces stay apart if they only touch in a point, or if the edges
+/// are already taken.
 std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
                                 std::span<const Triangle> triangles);
 
@@ -61,8 +61,8 @@ std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
 std::vector<Triangle> renamed(std::span<const Triangle> triangles,
                               std::span<const std::uint32_t> names);
 
-/// The sides that only one triangle has, and how many closed lines they make; lines that touch in a
-/// point are two. Of a surface that is sewn, with its half edges sorted.
+/// How many sides belong to one triangle only, and how many closed lines they form. Lines that
+/// touch in a point are separate. The surface must be sewn and its half edges sorted.
 struct Borders {
   std::size_t sides = 0;
   std::size_t loops = 0;

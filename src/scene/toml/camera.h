@@ -5,8 +5,8 @@
 
 namespace opaline::scene {
 
-/// What [camera] says, instead of the scene's own camera and its motion; nothing changes where
-/// there is no such table.
+/// Applies [camera], which replaces the scene's own camera and its motion. Without such a table
+/// nothing changes.
 void readCamera(const TomlTable& root, const Vec3& centreMm, RawScene& scene);
 
 }  // namespace opaline::scene

@@ -5,8 +5,8 @@
 
 namespace opaline::scene::keys {
 
-// All that a .toml scene may say, table by table. The loader refuses every other key, and what it
-// reads the writer can write.
+// All keys that a .toml scene may have, table by table. The loader refuses every other key. The
+// writer can write whatever the loader reads.
 
 template <std::size_t count>
 using Keys = std::array<std::string_view, count>;

@@ -13,7 +13,7 @@ namespace opaline::scene {
 
 namespace {
 
-/// Refuses an entry that says what it must not or leaves out what it must say.
+/// Refuses an entry with a key that it must not have, or without one that it needs.
 void requireKeys(const TomlTable& table, std::string_view type,
                  std::span<const std::string_view> known,
                  std::initializer_list<std::string_view> needed) {
@@ -22,7 +22,7 @@ void requireKeys(const TomlTable& table, std::string_view type,
     if (!table.has(key)) table.fail("", fmt::format("of type '{}' has no '{}'", type, key));
 }
 
-/// With what the table of options knows of it. Refuses what makes no sense.
+/// The light with what the options' table reads for it. Refuses impossible values.
 template <typename Light>
 Light completed(const TomlTable& table, std::string_view type, Light light) {
   chosenIn<Light>(table).applyTo(light);

@@ -5,7 +5,7 @@
 
 namespace opaline::scene {
 
-/// Adds what an entry of [[lights]] says.
+/// Adds the light of an entry of [[lights]].
 void readLight(const TomlTable& table, const Vec3& centreMm, Lighting& lighting);
 
 }  // namespace opaline::scene

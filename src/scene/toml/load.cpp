@@ -52,10 +52,10 @@ struct Assembly {
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
   ColorModel colorModel = ColorModel::Observed;
-  std::optional<Ground> ground{};  ///< its height from the centre
+  std::optional<Ground> ground{};  ///< its height is relative to the centre
 };
 
-/// Nesting that toml++ would follow with recursion of its own.
+/// Refuses nesting that toml++ would follow by recursion.
 void requireShallow(const std::filesystem::path& file, std::string_view text) {
   constexpr std::size_t deepest = 100;
   std::size_t open = 0;
@@ -135,7 +135,7 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
   return *known;
 }
 
-/// Of all objects of a model that are no metal, where the table says one.
+/// Sets the medium of all objects that are not metal, where the table names one.
 void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
   const auto medium = table.text("medium");
   if (!medium) return;
@@ -153,7 +153,7 @@ bool hasTextures(const Assembly& from) {
                      [](const auto& named) { return !named.second.source.textures.empty(); });
 }
 
-/// In millimetres, from the table that names it under `key`.
+/// Loads the model that the table names under `key`, in millimetres.
 RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, Assembly& to) {
   const auto model = table.text(key);
   if (!model) {
@@ -181,7 +181,7 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
     if (!isOnly) table.fail(key, "stands for numbered meshes, which must be a scene's only model");
     to.meshes.emplace(path, morphTo);
   }
-  // The vertices of meshes that follow each other are matched one to one.
+  // Meshes of a sequence are matched vertex by vertex, so theirs must not be split for coordinates.
   const bool wantsCoordinates = !to.meshes && !morphTo && hasTextures(to);
   RawScene raw =
       to.meshes ? to.meshes->loadFirst(to.options.log)
@@ -195,7 +195,7 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
   return raw;
 }
 
-/// The model that the root names, or those of [[models]], each where its table puts it.
+/// Loads the root's model, or those of [[models]], each placed by its table.
 void loadModels(const TomlTable& root, Assembly& to) {
   const std::vector<TomlTable> tables = root.tables("models");
   if (tables.empty()) {
@@ -225,7 +225,7 @@ void loadModels(const TomlTable& root, Assembly& to) {
   if (tables.size() > 1) to.builtInDistanceDiagonals.reset();
 }
 
-/// None where the table says none.
+/// The material that the table names; none where it names none.
 std::optional<std::pair<std::string, TomlMaterial>> materialNamed(const TomlTable& table,
                                                                   const Assembly& from) {
   const auto name = table.text("material");
@@ -247,7 +247,7 @@ void noteWithoutCoordinates(const std::pair<std::string, TomlMaterial>& material
                    object.name, cleanText(material.first, 60)));
 }
 
-/// Other numbers than its material has.
+/// Reads numbers that override those of the object's material.
 void readNumbers(const TomlTable& table, RawObject& object, MaterialNumbers& numbers) {
   if (object.opaque) {
     numbers.opaque = chosenIn<OpaqueMaterial>(table);
@@ -363,7 +363,7 @@ void readLighting(const TomlTable& root, Assembly& to) {
   to.source.environment = std::move(from);
 }
 
-/// The camera that a built-in scene brings, for what has become of its model.
+/// Sets the camera of a built-in scene, for what has become of its model.
 void frameBuiltIn(Assembly& to) {
   if (!to.builtInDistanceDiagonals) return;
   const double distance = *to.builtInDistanceDiagonals * diagonalOf(boundsOf(to.scene));

@@ -38,7 +38,7 @@ constexpr std::array<TextureOfSurface, 2> texturesOfSurface{
 constexpr std::array<std::string_view, 7> keysOfTranslucent{
     "medium", "color", "color_texture", "color_model", "ball_mm", "mean_free_path_mm", "g"};
 
-/// The keys of one kind that the other has no use for.
+/// Refuses keys that only the other kind of material has.
 void refuse(const TomlTable& table, std::string_view key, std::string_view kind) {
   if (table.has(key))
     table.fail(key, std::string("belongs to materials of kind \"") + std::string(kind) + "\"");
@@ -91,7 +91,7 @@ class MaterialReader {
     OpaqueMaterial& material = made_.opaque.emplace();
     material.name = cleanText(name);
     made_.source.opaque = chosenIn<OpaqueMaterial>(table_);
-    // A texture alone is shown as it is.
+    // Without a number beside it, a texture is shown unchanged.
     if (table_.has("base_color_texture")) material.baseColor = {1, 1, 1};
     if (table_.has("metallic_roughness_texture")) material.metallic = 1;
     if (table_.has("emission_texture")) material.emission = {1, 1, 1};
@@ -134,7 +134,7 @@ class MaterialReader {
     made_.translucent.medium.name = cleanText(name);
   }
 
-  // Either kind may say how rough and uneven it is.
+  // Both kinds of material may give roughness and normals.
   void readSurface() {
     made_.source.surface = chosenIn<TranslucentSurface>(table_);
     TranslucentSurface surface;

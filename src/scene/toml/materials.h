@@ -11,19 +11,19 @@
 
 namespace opaline::scene {
 
-/// What an object with a material is made of.
+/// A material of a scene file, and what it makes of an object.
 struct TomlMaterial {
   MaterialSource source;
   Translucent translucent;  ///< unless `opaque` is set
   std::optional<OpaqueMaterial> opaque;
 };
 
-/// Looks a medium up by its name; the table and the key are for its complaint.
+/// Looks a medium up by its name. Error messages use the table and the key.
 using FindMedium =
     std::function<Medium(const TomlTable& table, std::string_view key, const std::string& name)>;
 
-/// The [materials] of a scene, whose textures are read beside `file`. A color means what the
-/// material says, else what `colorModel` does.
+/// Reads the [materials] of a scene; their textures are beside `file`. A color means what the
+/// material says it does, or else what `colorModel` says.
 std::map<std::string, TomlMaterial> readMaterials(const TomlTable& root,
                                                   const std::filesystem::path& file,
                                                   ColorModel colorModel,

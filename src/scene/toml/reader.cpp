@@ -53,7 +53,7 @@ std::optional<std::string> TomlTable::choice(std::string_view key,
 
 namespace {
 
-/// "1024x1024", as it is typed on the command line.
+/// Reads "1024x1024", the form of the command line.
 std::optional<options::Size> sizeFromText(std::string_view text) {
   options::Size edges{};
   const char* const end = text.data() + text.size();
@@ -159,7 +159,7 @@ std::optional<Vec3> TomlTable::direction(std::string_view key) const {
   const Double3 v{(*values)[0], (*values)[1], (*values)[2]};
   const double size = length(v);
   if (!(size > 1e-30)) fail(key, "must not be zero");
-  // What was rounded to float at unit length comes back as it was.
+  // A vector that was rounded to float at unit length must come back unchanged.
   if (std::abs(size - 1) < 1e-6) return toFloat(v);
   return toFloat((1 / size) * v);
 }

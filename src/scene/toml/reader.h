@@ -22,7 +22,8 @@ class TomlTable {
   TomlTable(const std::filesystem::path& file, const toml::table& table, std::string place)
       : file_(file), table_(table), place_(std::move(place)) {}
 
-  /// Throws Error for a key that is not among `known`, naming the nearest, nor among `hidden`.
+  /// Throws Error for a key that is neither among `known` nor among `hidden`; the message names the
+  /// nearest known key.
   void requireKeys(std::span<const std::string_view> known,
                    std::span<const std::string_view> hidden = {}) const;
 
@@ -33,11 +34,11 @@ class TomlTable {
   std::optional<std::string> text(std::string_view key) const;
   std::optional<std::string> choice(std::string_view key,
                                     std::span<const std::string_view> choices) const;
-  /// A value of the type of `like`. Three numbers may be one for all three, and a size a text.
+  /// A value of the type of `like`. One number may stand for three, and text for a size.
   std::optional<options::Value> value(std::string_view key, const options::Allowed& allowed,
                                       const options::Value& like) const;
   std::optional<double> number(std::string_view key, const options::Range& range) const;
-  /// As many finite numbers as are asked for.
+  /// Exactly `count` finite numbers.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count) const;
   std::optional<Vec3> vector(std::string_view key) const;
   /// A vector that is not zero, at unit length to the rounding of float.
@@ -45,7 +46,7 @@ class TomlTable {
   std::optional<TomlTable> table(std::string_view key) const;
   /// The entries of an array of tables.
   std::vector<TomlTable> tables(std::string_view key) const;
-  /// The keys of this table that hold tables; others are an Error.
+  /// All keys of this table, each of which must hold a table. Throws Error for others.
   std::vector<std::pair<std::string, TomlTable>> subtables() const;
 
   /// Throws Error about a key, or about the table itself if the key is empty.
@@ -57,11 +58,11 @@ class TomlTable {
   std::string place_;  ///< "[camera]" for messages
 };
 
-/// A place that is given from the centre. In double precision every place can be given.
+/// A place that is given relative to the centre. Double precision allows every place to be given.
 std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Vec3& centreMm);
 
-/// What the table says of an Owner's options, by their older names too. Throws Error for an option
-/// under both of its names.
+/// The values that the table gives for an Owner's options, including those under older names.
+/// Throws Error for an option under both of its names.
 template <typename Owner>
 options::Chosen<Owner> chosenIn(const TomlTable& table) {
   options::Chosen<Owner> chosen;

@@ -5,7 +5,7 @@
 
 namespace opaline::scene {
 
-/// The [render] table of a scene. The log gets a note on keys that have another name now.
+/// Reads the [render] table of a scene. The log gets a note on keys that have been renamed.
 SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log);
 
 /// Throws Error where the settings name a clip that the scene does not have.

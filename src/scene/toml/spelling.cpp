@@ -16,7 +16,7 @@ namespace opaline::scene::toml_text {
 
 namespace {
 
-/// Whether the loader, which counts brackets before it parses, finds as many closed as open.
+/// Whether the loader, which counts brackets before it parses, sees matching brackets.
 bool bracketsMatch(std::string_view value) {
   int open = 0;
   for (const char c : value) {
@@ -35,7 +35,7 @@ void requireHeld(double value, std::string_view what) {
   throw Error(fmt::format("{} is {}, which a scene file cannot hold", what, value));
 }
 
-/// TOML's -0 is a whole number, which has no sign.
+/// In TOML, -0 is a whole number and so loses its sign.
 std::string withSign(const std::string& digits) {
   return digits == "-0" ? "-0.0" : digits;
 }
@@ -57,7 +57,7 @@ bool isSame(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// What centre + offset must come to; a zero may lose its sign.
+/// The offset that yields `place` when added to the centre; a zero may lose its sign.
 std::string offset(float place, float centre, std::string_view what) {
   requireHeld(double{place}, what);
   requireHeld(double{centre}, what);
@@ -105,7 +105,7 @@ std::string key(std::string_view value, std::string_view what) {
 std::string number(float value, std::string_view what) {
   requireHeld(double{value}, what);
   std::string digits = withSign(fmt::format("{}", value));
-  // The loader reads a double first: rounding twice is not always rounding once.
+  // The loader reads a double first, and rounding twice can differ from rounding once.
   if (isSame(static_cast<float>(parsed(digits)), value)) return digits;
   return number(double{value}, what);
 }

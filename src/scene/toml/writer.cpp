@@ -62,7 +62,7 @@ class Text {
     list(key, numbers);
   }
 
-  /// Of an Owner's options those that were chosen.
+  /// Writes those of an Owner's options that were chosen.
   template <typename Owner>
   void fields(const options::Chosen<Owner>& chosen) {
     for (const options::Field<Owner>& field : options::fieldsOf<Owner>())
@@ -81,11 +81,11 @@ bool isKnown(const std::string& name, const Medium& medium) {
   return known && known->name == name && bssrdf::isSameInside(*known, medium);
 }
 
-/// The media of a scene, each under a name of its own.
+/// The media of a scene, each under a unique name.
 class MediaNames {
  public:
   explicit MediaNames(const SceneDescription& scene) {
-    // The tables' own keep their names, whoever else is called so.
+    // Media of the built-in tables keep their names, even if another medium has the same one.
     for (const auto& [object, medium, isPainted] : scene.media) {
       if (isKnown(medium.name, medium)) names_.emplace(medium.name, medium);
     }
@@ -98,7 +98,7 @@ class MediaNames {
     }
   }
 
-  /// The one that it has or would get.
+  /// The name that a medium has or would get.
   std::string nameOf(const Medium& medium) const {
     const std::string own = medium.name.empty() ? "medium" : cleanText(medium.name);
     std::string name = own;
@@ -115,13 +115,13 @@ class MediaNames {
   std::map<std::string, Medium> names_;
 };
 
-/// Below the folder of the scene or beside it; a path that has only the root in common would not
-/// be found again any better if it were relative.
+/// The path relative to the scene's folder where possible. It stays absolute where the two share
+/// only the root, as a relative path would be no more portable then.
 std::string written(const fs::path& path, const fs::path& sceneFile) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(fs::absolute(sceneFile).parent_path(), error);
   if (error) return fs::absolute(path).string();
-  // The file itself may be a link that is meant to change.
+  // The file itself may be a link whose target is meant to change, so only its folder is resolved.
   const fs::path parent = fs::weakly_canonical(fs::absolute(path).parent_path(), error);
   if (error) return fs::absolute(path).string();
   const fs::path whole = parent / path.filename();
@@ -130,7 +130,7 @@ std::string written(const fs::path& path, const fs::path& sceneFile) {
   const auto common = std::distance(folder.begin(), inFolder);
   if (common <= 1 && folder != folder.root_path()) return whole.string();
   const fs::path relative = whole.lexically_relative(folder);
-  // "builtin:" at the start would mean no file.
+  // A path that starts with "builtin:" would not mean a file.
   const bool ambiguous = relative.string().starts_with("builtin:");
   return ambiguous ? (fs::path(".") / relative).string() : relative.string();
 }
@@ -141,7 +141,7 @@ void addModel(const ModelSource& model, std::string_view key, const fs::path& fi
   if (model.morphTo) to.text("morph_to", written(*model.morphTo, file));
 }
 
-/// A model that stands as it is needs no table.
+/// Whether models need tables. A single model without a placement does not.
 bool needTables(const std::vector<ModelSource>& models) {
   return models.size() != 1 || models.front().placement;
 }
@@ -161,7 +161,7 @@ void addModels(const std::vector<ModelSource>& models, const fs::path& file, Tex
   }
 }
 
-/// Media by the objects' names, which is how a scene file tells objects apart.
+/// Media by object name, since a scene file tells objects apart by name.
 std::map<std::string, std::string> mediaOfObjects(const SceneDescription& scene,
                                                   const MediaNames& names) {
   std::map<std::string, std::string> media;
@@ -297,7 +297,7 @@ void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) 
   const auto& environment = scene.source.environment;
   const bool nothingElse = scene.directional.empty() && scene.points.empty() &&
                            scene.spots.empty() && scene.areas.empty() && !environment;
-  // In a file without lights those of the model shine, or the usual ones.
+  // In a file without lights, the model's lights or the default ones would shine.
   if (scene.ambient != Rgb{} || nothingElse) {
     const Lighting ambient{.ambient = scene.ambient};
     if (const std::string complaint = complaintAbout(ambient); !complaint.empty()) {
@@ -348,14 +348,15 @@ void addSettings(const SceneFileSettings& settings, Text& to) {
   to.fields(options::chosenIn(settings.named));
 }
 
-/// Whether a translucent object is all that the material is which the scene file gave it. Else its
-/// medium is another one, on which the material's textures may have stayed.
+/// Whether a translucent object is exactly what its material from the scene file makes it. If not,
+/// its medium is another one, on which the material's textures may have stayed.
 bool isAsItsMaterial(const Object& object, const MaterialSource& material) {
   return !material.isOpaque && bssrdf::isSameInside(object.medium, material.became) &&
          object.paint.has_value() == material.textures.contains("color_texture");
 }
 
-/// Other numbers than those of its material, of the kind that it is now.
+/// Keeps numbers that differ from those of the object's material, for the kind of object that it is
+/// now.
 void keepNumbers(const Object& object, SceneSource& source) {
   const auto found = source.numbersOfObject.find(object.name);
   if (found == source.numbersOfObject.end()) return;
@@ -375,7 +376,7 @@ void describeObject(const Object& object, SceneDescription& description) {
   const auto name = materials.find(object.name);
   const bool isNamed = name != materials.end();
   description.mediaOfAll = description.mediaOfAll && !isNamed && !object.opaque;
-  // What is opaque is so by the model's file or by a material.
+  // The model's file or a material makes an object opaque.
   if (object.opaque) return;
   if (isNamed && isAsItsMaterial(object, description.source.materials.at(name->second))) return;
   description.mediaOfAll = description.mediaOfAll && !object.paint;
@@ -391,8 +392,7 @@ void copyEntry(const std::string& from, const std::string& to, std::map<std::str
     entries[to] = found->second;
 }
 
-/// What the description says of an object is said of its duplicates too, which are there again when
-/// the models are loaded.
+/// Describes an object's duplicates like the object itself: loading the models brings them back.
 void describeDuplicates(const Object& object, SceneDescription& description) {
   std::vector<SceneDescription::ObjectMedium>& media = description.media;
   const bool hasMedium = !media.empty() && media.back().object == object.name;
