@@ -44,7 +44,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// The values of all "uri" in the JSON of a glTF; those of data are no names.
+/// The values of all "uri" in a glTF file's JSON, except data URIs.
 void addUris(std::string_view text, const fs::path& folder, std::vector<fs::path>& to) {
   constexpr std::string_view key = "\"uri\"";
   for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at)) {

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The children there are. Each is started and laid to rest under the lock, so that an id in the
-/// set is always that of our child.
+/// All child processes. Each is started and reaped under the lock, so that an id in the set always
+/// belongs to a child of ours.
 struct Children {
   std::mutex mutex;
   std::set<pid_t> ids;
@@ -37,18 +37,18 @@ Children& children() {
   return all;
 }
 
-/// Waits for the end of a child and leaves it to be reaped.
+/// Waits for the end of a child without reaping it.
 void awaitEnd(pid_t id) {
   siginfo_t info{};
   while (waitid(P_PID, static_cast<id_t>(id), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
   }
 }
 
-/// The child's streams, its signals as a shell would leave them, and a process group of its own: a
-/// key that interrupts us must not make it finish a file that nobody wants.
+/// Gives the child its streams, default signals as a shell would, and its own process group: a key
+/// that interrupts us must not make the child finish a file that nobody wants.
 class SpawnSettings {
  public:
-  /// Output below 0 is dropped.
+  /// A negative output is dropped.
   SpawnSettings(int input, int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
@@ -207,7 +207,7 @@ void ChildProcess::closeFiles() {
 }
 
 void abandonChildProcesses() {
-  children().mutex.lock();  // for good
+  children().mutex.lock();  // never unlocked
   for (const pid_t id : children().ids) {
     ::kill(id, SIGKILL);
     awaitEnd(id);

@@ -11,14 +11,14 @@
 
 namespace opaline::app {
 
-/// Where the shell would find a program; nothing where it would not.
+/// The path at which the shell would find a program; none where it would not.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// A program that reads what we write to it, and may answer. It is killed when this object goes,
-/// and when this program is interrupted.
+/// A program that reads what we write to it, and may answer. It is killed when this object is
+/// destroyed, and when this program is interrupted.
 class ChildProcess {
  public:
-  /// What becomes of its standard output.
+  /// What happens to its standard output.
   enum class Output { Dropped, Kept };
 
   /// Throws Error when it cannot be started.
@@ -31,17 +31,17 @@ class ChildProcess {
   /// False when the program no longer reads.
   bool write(std::string_view bytes) const;
 
-  /// Ends its input and waits for its end. True when it says that all went well.
+  /// Ends its input and waits for its end. True if it reports success.
   bool finish();
 
   /// Whether finish() would have to wait.
   bool isRunning() const;
-  /// With what it ended, after finish(); nothing where it was killed.
+  /// Its exit status, after finish(); none where it was killed.
   std::optional<int> exitStatus() const { return status_; }
-  /// What it wrote to its standard output, where that is kept; no more than so many bytes.
+  /// Up to `mostBytes` of its standard output, where that is kept.
   std::string output(std::size_t mostBytes) const;
 
-  /// May be called while another thread writes, which then ends.
+  /// May be called while another thread writes, whose write() then fails.
   void kill();
 
   /// The last line of what it wrote to its standard error; call after finish().
@@ -58,7 +58,7 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
-/// Kills all children and lets none be started from then on; whoever tries waits for ever.
+/// Kills all children and lets none be started afterwards: whoever tries waits for ever.
 void abandonChildProcesses();
 
 }  // namespace opaline::app

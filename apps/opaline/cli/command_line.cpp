@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t helpColumn = 30;
 constexpr std::size_t helpWidth = 80;
 
-/// Edits that turn one word into the other, a swap of neighbours counting once (Damerau 1964).
+/// The number of edits from one word to the other; swapping neighbours counts as one (Damerau
+/// 1964).
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -38,7 +39,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return cost[a.size()][b.size()];
 }
 
-/// Words filled into lines of `width`, joined with a break and `indent` spaces.
+/// Wraps words to `width`, with `indent` spaces after each line break.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
   std::string result;
   std::string line;
@@ -231,11 +232,12 @@ void CommandLine::fillLeftOut(std::vector<std::string>& arguments) const {
 void CommandLine::run(std::vector<std::string> arguments) {
   replaceSynonyms(arguments);
   fillLeftOut(arguments);
-  std::reverse(arguments.begin(), arguments.end());  // what CLI::App expects
+  std::reverse(arguments.begin(), arguments.end());  // CLI::App expects them in reverse order
   try {
     app_->parse(std::move(arguments));
   } catch (const CLI::ArgumentMismatch& error) {
-    // "--size: 1 required TEXT missing", but "json was given a disallowed flag override"
+    // The name ends at a colon, as in "--size: 1 required TEXT missing", or at a blank, as in "json
+    // was given a disallowed flag override".
     const std::string message = error.what();
     const std::string name = message.substr(0, message.find_first_of(": "));
     for (const Entry& entry : entries_) {

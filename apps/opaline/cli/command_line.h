@@ -32,30 +32,30 @@ class CommandLine {
   using Taker = std::function<void(const Given&)>;
 
   void positional(const std::string& name, const std::string& help, Taker take);
-  /// The same for any number of them.
+  /// The same for any number of positional arguments.
   void positionals(const std::string& name, const std::string& help, Taker take);
-  /// The same for one that may not be left out, a mistake that parse() reports.
+  /// The same for a required argument; parse() reports its absence.
   void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);
   void flag(const std::string& names, const std::string& help, bool& on);
   void flag(const std::string& name, const std::string& help, std::function<void()> take);
-  /// An older name of an option: understood, in no help, and noted where it is used.
+  /// An older name of an option: accepted, absent from the help, and noted where it is used.
   void synonym(const std::string& former, const std::string& option);
-  /// --json and --quiet, which every command takes. `what` goes to standard output; --quiet leaves
-  /// notes and progress out, and no warning.
+  /// --json and --quiet, which every command takes. `what` goes to standard output. --quiet drops
+  /// notes and progress, but no warnings.
   void outputFlags(const std::string& what, bool& json, bool& quiet);
-  /// Without a help of its own it stands in the help beside the option before it.
+  /// An option with an empty `help` shares the help entry of the option before it.
   void value(const std::string& names, const std::string& placeholder, const std::string& help,
              Taker take);
   void repeated(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take);
-  /// A list of numbers that may be left out, for `standard`; beside the option before it in the
-  /// help.
+  /// A list of numbers that may be left out, which then means `standard`. It shares the help entry
+  /// of the option before it.
   void valueOr(const std::string& name, const std::string& placeholder, const std::string& standard,
                Taker take);
 
-  /// Hands every value to its taker, in the order the options were declared. False when help was
-  /// asked for and printed. Throws UsageError for anything that is not understood.
+  /// Passes every value to its taker, in the order in which the options were declared. False when
+  /// help was asked for and printed. Throws UsageError for anything that is not understood.
   bool parse(const std::vector<std::string>& arguments);
 
   std::string help() const;
@@ -89,14 +89,15 @@ class CommandLine {
   std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
-  std::map<std::string, std::string> synonyms_;   ///< option by its older name
-  std::map<std::string, std::string> standards_;  ///< by the option whose value may be left out
+  std::map<std::string, std::string> synonyms_;  ///< the option for each older name
+  std::map<std::string, std::string>
+      standards_;  ///< the default for each option whose value may be left out
   std::vector<std::string> notes_;
   const bool* json_ = nullptr;
   const bool* quiet_ = nullptr;
 };
 
-/// "; did you mean X?" for the candidate that differs least from what was typed, or nothing.
+/// "; did you mean X?" for the candidate nearest to what was typed, or nothing.
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates);
 
 }  // namespace opaline::app

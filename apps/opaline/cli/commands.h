@@ -7,7 +7,7 @@ namespace opaline::app {
 
 using Arguments = std::vector<std::string>;
 
-// Each returns when all that was asked for is on disk or printed, and throws otherwise.
+// Each returns once everything that was asked for is on disk or printed, and throws otherwise.
 void runRender(const Arguments& arguments);
 void runFilm(const Arguments& arguments);
 void runView(const Arguments& arguments);

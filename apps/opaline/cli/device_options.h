@@ -11,7 +11,7 @@ namespace opaline::app {
 
 class CommandLine;
 
-/// Which device renders, and how: what render and view share of their section "Run".
+/// Which device renders, and how: the options of the section "Run" that render and view share.
 struct DeviceOptions {
   options::Chosen<options::NamedSettings> named;
   options::Chosen<RendererOptions> limits;
@@ -19,9 +19,9 @@ struct DeviceOptions {
   bool validation = false;
 
   void addTo(CommandLine& line);
-  /// Keeps what this process takes of the host's memory below --memory-limit, where there is one.
+  /// Keeps this process's host memory below --memory-limit, where that is given.
   void limitHostMemory() const;
-  /// `otherwise` where no device was asked for.
+  /// Uses `otherwise` where no device was asked for.
   RendererOptions rendererOptions(const std::string& otherwise, const LogCallback& log) const;
 };
 

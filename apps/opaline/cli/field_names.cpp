@@ -16,7 +16,7 @@ std::string withOptionNames(std::string_view sentence) {
       sentence.remove_prefix(1);
       continue;
     }
-    // An option is called as its field is: RenderOptions::maxSurfels, --max-surfels.
+    // An option is named after its field: RenderOptions::maxSurfels, --max-surfels.
     sentence.remove_prefix(structure.size());
     result += "--";
     while (!sentence.empty() && std::isalnum(static_cast<unsigned char>(sentence.front())) != 0) {

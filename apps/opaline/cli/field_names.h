@@ -5,8 +5,8 @@
 
 namespace opaline::app {
 
-/// A sentence of the library, which names a field as its headers do, RenderOptions::bounces, with
-/// the option that sets the field instead.
+/// Replaces fields in a sentence of the library, which names them as in RenderOptions::bounces, by
+/// the options that set them.
 std::string withOptionNames(std::string_view sentence);
 
 }  // namespace opaline::app

@@ -13,7 +13,7 @@
 
 namespace opaline::app {
 
-/// "--near-spacing" of near_spacing.
+/// Makes "--near-spacing" of near_spacing.
 std::string optionOf(std::string_view key);
 
 /// "X", "N", "NAME", "R,G,B", "WxH".
@@ -23,7 +23,7 @@ std::string placeholderOf(const options::Value& like);
 std::string helpOf(std::string_view help, const options::Allowed& allowed,
                    const options::Value& like, const std::string& standard);
 
-/// The default as the help shows it.
+/// The default in the form that the help shows.
 template <typename Owner>
 std::string standardOf(const options::Field<Owner>& field) {
   if (!field.standard.empty()) return std::string(field.standard);
@@ -31,8 +31,8 @@ std::string standardOf(const options::Field<Owner>& field) {
   return value ? options::textOf(*value) : "";
 }
 
-/// Takes what is typed for an option of the table, under its own name and with its own help unless
-/// others are given; what is on by itself is turned off, by --no-KEY.
+/// Takes what is typed for an option of the table, under its own name and help unless others are
+/// given. A flag that is on by default is turned off by --no-KEY.
 template <typename Owner>
 void addField(CommandLine& line, const options::Field<Owner>& field, options::Chosen<Owner>& chosen,
               std::string option = {}, const std::optional<std::string>& help = {}) {
@@ -53,8 +53,8 @@ void addField(CommandLine& line, const options::Field<Owner>& field, options::Ch
   if (!field.formerKey.empty()) line.synonym(optionOf(field.formerKey), option);
 }
 
-/// Options in one line of the help, which names the default of each: "texels [512], of shadows
-/// [1024]".
+/// Puts several options into one entry of the help, which names the default of each: "texels [512],
+/// of shadows [1024]".
 template <typename Owner>
 void addTogether(CommandLine& line, std::initializer_list<std::string_view> keys,
                  std::initializer_list<std::string_view> words, options::Chosen<Owner>& chosen,

@@ -7,10 +7,11 @@
 
 namespace opaline::app {
 
-/// Which frames: the first, every step-th after it, and the last; frame n shows time n / perSecond.
+/// The frames to render: the first, every step-th after it, and the last. Frame n shows time n /
+/// perSecond.
 struct FrameRange {
   int first = 0;
-  int last = 0;  ///< a whole number of steps behind the first
+  int last = 0;  ///< a whole number of steps after the first
   double perSecond = 30;
   int step = 1;
 
@@ -24,17 +25,17 @@ struct Chunk {
   int count = 1;
 };
 
-/// The frames of a chunk: consecutive ones, as many as other chunks have, or one more. Nothing
-/// where there are fewer frames than chunks and none is left for this one.
+/// The consecutive frames of a chunk. Chunks differ in length by at most one. None where there are
+/// fewer frames than chunks and this chunk gets none.
 std::optional<FrameRange> framesOf(const Chunk& chunk, const FrameRange& all);
 
-/// FIRST:LAST or FIRST:LAST:STEP. Throws UsageError.
+/// Reads FIRST:LAST or FIRST:LAST:STEP. Throws UsageError.
 FrameRange readFrames(const Given& given);
 
-/// NUMBER/COUNT. Throws UsageError.
+/// Reads NUMBER/COUNT. Throws UsageError.
 Chunk readChunk(const Given& given);
 
-/// Frames a second. Throws UsageError.
+/// Reads a number of frames per second. Throws UsageError.
 double readFramesPerSecond(const Given& given);
 
 }  // namespace opaline::app

@@ -8,16 +8,17 @@
 
 namespace opaline::app {
 
-/// --transport where a half-space is spoken of. Boundary transport follows the body's own shape and
-/// has none; the better dipole's is what it takes its detail from and what open meshes get.
+/// --transport where a half-space is meant. Boundary transport follows the body's own shape and has
+/// no half-space; it stands for the better dipole, from which it takes its detail and which open
+/// meshes get.
 class HalfSpaceOption {
  public:
   void addTo(CommandLine& line);
 
   Transport transport() const { return transport_; }
-  /// The half-space by its name.
+  /// The name of the half-space's transport.
   std::string name() const;
-  /// The same, and for which transport it stands if that is another.
+  /// The same, with the transport that it stands for if that is another.
   std::string label() const;
   /// Adds `transport` and `half_space`.
   void describe(Json& json) const;

@@ -177,7 +177,7 @@ std::string motionText(const Scene& scene) {
   return text;
 }
 
-/// What a scene contains is told where nothing can be found out about devices, too.
+/// The scene is described even where devices cannot be listed.
 std::vector<DeviceDescription> devicesOrNote(const LogCallback& log) {
   try {
     return listDevices();
@@ -245,7 +245,7 @@ Json collect(const Scene& scene, const LogCallback& log) {
           {"devices", devicesJson(log)}};
 }
 
-/// Draws the atlas into a file and says how it came out.
+/// Draws the atlas into a file and describes it.
 Json writeAtlas(const Scene& scene, const std::filesystem::path& file) {
   const Atlas atlas = makeAtlas(scene);
   ToneOptions plain;
@@ -254,7 +254,7 @@ Json writeAtlas(const Scene& scene, const std::filesystem::path& file) {
   return atlasJson(atlas.statistics);
 }
 
-// Three lengths in one unit.
+// Three lengths in a common unit.
 std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
   const LengthUnit unit =
       lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
@@ -263,7 +263,7 @@ std::string lengthsText(const std::array<double, 3>& mm, const char* between, in
                      unit.name);
 }
 
-// Those that are of several objects.
+// The bodies that consist of several objects.
 std::string bodiesText(const Json& objects) {
   std::map<std::size_t, std::vector<std::string>> bodies;
   for (const Json& object : objects)

@@ -25,7 +25,7 @@ void awaitInterrupt(sigset_t signals) {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
   }
-  // The child first: it writes into one of the files.
+  // The child goes first, as it writes into one of the files.
   abandonChildProcesses();
   abandonTemporaryFiles();
   clearStatus();
@@ -40,12 +40,12 @@ bool isIgnored(int signal) {
 }  // namespace
 
 // A thread that waits for signals may do what a signal handler may not: take locks, so that no file
-// and no child slips through while it cleans up.
+// and no child is missed while it cleans up.
 void leaveOnlyWholeFilesWhenInterrupted() {
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // As after nohup: whoever started us wants it so.
+    // As after nohup: whoever started us wants the signal ignored.
     if (!isIgnored(signal)) sigaddset(&signals, signal);
   }
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);

@@ -2,9 +2,9 @@
 
 namespace opaline::app {
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the program by that signal as ever, but only after
-/// what was half written is removed and the programs that we started are gone. To be called before
-/// any thread starts.
+/// From now on SIGINT, SIGTERM and SIGHUP still end the program by that signal, but only after
+/// half-written files are removed and child processes are killed. To be called before any thread
+/// starts.
 void leaveOnlyWholeFilesWhenInterrupted();
 
 }  // namespace opaline::app

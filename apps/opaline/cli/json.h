@@ -13,18 +13,18 @@ namespace opaline::app {
 /// Keeps the order in which fields are set.
 using Json = nlohmann::ordered_json;
 
-/// {r, g, b}; what is infinite becomes null.
+/// {r, g, b}; infinite values become null.
 Json rgbJson(const std::array<double, 3>& rgb);
 
-/// Name, coefficients and the lengths that follow from them.
+/// The medium's name, coefficients and the lengths that follow from them.
 Json mediumJson(const Medium& medium);
 
-/// With no more digits than tell the number from its neighbours.
+/// A number with no more digits than distinguish it from its neighbours.
 Json shortJson(float value);
 
 Json deviceJson(const DeviceDescription& device);
 
-/// Indented and with a line break at the end; what is not UTF-8 is replaced.
+/// Indented text with a final line break; bytes that are not UTF-8 are replaced.
 std::string toText(const Json& json);
 
 }  // namespace opaline::app

@@ -68,8 +68,8 @@ void dispatch(const Arguments& arguments) {
                                         suggestion(name, names)));
 }
 
-// After an error, all of ours is closed and written. What libraries do when a program ends is left
-// out: a driver that could not start may crash there. Only sanitizers wait for that.
+// After an error, our own files are closed and written. The exit handlers of libraries are skipped,
+// since a driver that could not start may crash there. Only sanitizers need them.
 int end(int status) {
 #ifndef OPALINE_SANITIZED
   std::_Exit(status);

@@ -7,13 +7,14 @@
 
 namespace opaline::app {
 
-/// A texture and what it is for.
+/// A texture and its use.
 struct NamedTexture {
   std::string_view use;
-  const Texture* texture;  ///< of the object
+  const Texture* texture;  ///< belongs to the object
 };
 
-/// All that an object's material has, of an opaque one, of a paint and of a translucent surface.
+/// All textures of an object's material: of an opaque one, of a paint, and of a translucent
+/// surface.
 std::vector<NamedTexture> texturesOf(const Object& object);
 
 }  // namespace opaline::app

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<LengthUnit, 5> units{
     {{"nm", 1e-6}, {"\u00b5m", 1e-3}, {"mm", 1}, {"m", 1e3}, {"km", 1e6}}};
 
-// A tenth of a millimetre is still called that.
+// Units up to the millimetre are used from a tenth of them on.
 constexpr double leastOfUnit = 0.1;
 
 double rounded(double value, int digits) {

@@ -11,15 +11,16 @@
 
 namespace opaline::app {
 
-/// --medium of all or of single objects, or --sigma-s, --sigma-a and --eta; --g for either.
+/// --medium, for all or for single objects, or else --sigma-s, --sigma-a and --eta; --g goes with
+/// either.
 class MediumOptions {
  public:
   void addTo(CommandLine& line);
   bool any() const { return named_ || !ofObjects_.empty() || !chosen_.empty(); }
-  /// What was asked for; nothing when no such option was given. Throws UsageError for a mixture
-  /// that describes no medium.
+  /// The medium that was asked for; none when no such option was given. Throws UsageError for a
+  /// combination that describes no medium.
   std::optional<Medium> medium() const;
-  /// Of single objects.
+  /// The media of single objects.
   const std::vector<MediumOfObject>& ofObjects() const { return ofObjects_; }
 
  private:

@@ -16,21 +16,21 @@ namespace opaline::app {
 /// --time, --frames, --fps, --chunk, --clip, --deform.
 class MotionOptions {
  public:
-  /// Without `films` only what makes stills.
+  /// Without `films`, only the options for stills.
   void addTo(CommandLine& line, bool films = true);
-  /// Throws UsageError for a mixture that contradicts itself.
+  /// Throws UsageError for options that contradict each other.
   void check() const;
 
-  /// Nothing when one still is asked for.
+  /// None when a still is asked for.
   std::optional<FrameRange> frames() const;
-  /// Those of them that are to be rendered here, if any.
+  /// The frames to render here; none if the chunk gets none.
   std::optional<FrameRange> framesOfChunk() const;
   const std::optional<Chunk>& chunk() const { return chunk_; }
 
   /// Appends the deformers that were asked for.
   void applyTo(Scene& scene) const;
-  /// What was asked for, else what the scene file says. Throws UsageError for a clip that the scene
-  /// does not have.
+  /// The time that was asked for, else the scene file's. Throws UsageError for a clip that the
+  /// scene does not have.
   SceneTime time(const Scene& scene, const SceneFileSettings& settings) const;
 
  private:

@@ -30,7 +30,7 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
   if (line.find_last_of(".!?") != line.size() - 1) line += '.';
   line += '\n';
   clearStatus();
-  // Where standard error itself fails there is nobody left to tell.
+  // If standard error itself fails, nobody can be told.
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
 
@@ -38,10 +38,12 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
 
 void guardStandardStreams() {
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, as on a full disk
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that may not grow fails like a full disk
   for (int stream = 0; stream < 3; ++stream) {
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
-      // A closed standard output becomes one that cannot be written: what is lost is reported.
+      // A closed standard output is opened so that it cannot be written: lost output is then
+      // reported.
       const int opened = ::open("/dev/null", stream == 2 ? O_WRONLY : O_RDONLY);
       if (opened != stream && opened >= 0) ::close(opened);
     }

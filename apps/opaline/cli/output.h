@@ -9,31 +9,32 @@
 
 namespace opaline::app {
 
-/// Opens what the caller closed of the three standard streams, so that no picture is ever mistaken
-/// for one of them, and lets a closed pipe be an error instead of a signal.
+/// Opens those of the three standard streams that the caller closed, so that no picture is ever
+/// mistaken for one of them. Makes a closed pipe an error instead of a signal.
 void guardStandardStreams();
 
-/// Whoever read standard output wants no more, as in `opaline media | head -1`: the program ends,
-/// but nobody is told.
+/// The reader of standard output has left, as in `opaline media | head -1`: the program ends
+/// silently.
 class ReaderLeft : public std::exception {};
 
 /// Writes to standard output. Throws ReaderLeft, or Error when not all of it arrives.
 void printOut(std::string_view text);
 
-/// One line on standard error; control characters become '?', as they may come from file names.
+/// Prints one line on standard error. Control characters, which may come from file names, become
+/// '?'.
 void printError(std::string_view sentence);
 
-/// Notes on standard error, unless `quiet`.
+/// A log that prints on standard error, and drops notes if `quiet`.
 LogCallback noteTaker(bool quiet);
 
-/// Width of the terminal that standard error is; 0 when it is none.
+/// Width of the terminal on standard error; 0 if it is not a terminal.
 std::size_t statusColumns();
 
-/// Shows a line on that terminal in place of the one before. Errors and notes take its place too.
+/// Shows a line on that terminal in place of the previous one. Errors and notes replace it too.
 void showStatus(std::string_view line);
 void clearStatus();
 
-/// Shows what is under way there, unless `quiet` or there is no terminal.
+/// Shows on the terminal what is under way, unless `quiet` or there is no terminal.
 using StatusCallback = std::function<void(std::string_view)>;
 StatusCallback statusTaker(bool quiet);
 

@@ -18,7 +18,7 @@ std::string extensionOf(const std::filesystem::path& file) {
 
 void requireNoInput(const std::vector<Output>& outputs,
                     const std::vector<std::filesystem::path>& inputs) {
-  std::error_code ignored;  // what is not there is the same as nothing
+  std::error_code ignored;  // a file that cannot be looked at counts as absent
   for (const Output& output : outputs) {
     if (!std::filesystem::exists(output.file, ignored)) continue;
     for (const std::filesystem::path& input : inputs) {

@@ -25,7 +25,7 @@ const Choices<Aov>& aovs() {
 
 using Chosen = options::Chosen<options::PictureSettings>;
 
-/// Chooses what --method paper means, unless another was asked for beside it.
+/// Chooses what --method paper stands for, unless another value was given.
 void choosePaper(Chosen& chosen, std::string_view key, std::string_view paper) {
   const options::Value* const asked = chosen.find(key);
   if (asked && options::textOf(*asked) != paper) {
@@ -90,7 +90,7 @@ void MethodOptions::applyTo(RenderOptions& options, const SceneFileSettings& set
     choosePaper(chosen, "site", options::nameOf(Site::Fragment));
   }
   options::apply(chosen, options);
-  // The pattern alone means the paper's.
+  // --sum pattern alone implies the paper's transport.
   if (options.sum == Sum::Pattern && !settings.picture.has("transport") &&
       !chosen.has("transport")) {
     options.transport = Transport::Dipole;

@@ -15,28 +15,29 @@
 
 namespace opaline::app {
 
-const Choices<Transport>& halfSpaceTransports();  ///< those of which a profile tells all
+const Choices<Transport>&
+halfSpaceTransports();  ///< transports that a profile describes completely
 
-/// The [render] table of a scene file over the defaults.
+/// The defaults, overridden by the [render] table of a scene file.
 RenderOptions optionsOf(const SceneFileSettings& settings);
 
-/// The [render] table of a file that shows what is on the screen: everything, whether or not it is
-/// the default, but the device.
+/// The [render] table of a file that reproduces what is on the screen. It holds every setting but
+/// the device, default or not.
 SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene);
 
-/// How a scene file wants its pictures shown, with the exposure that suits the light where it names
+/// How a scene file wants its pictures shown. The exposure follows the light where the file gives
 /// none.
 ToneOptions toneOf(const SceneFileSettings& settings, const Scene& scene);
 
-/// --transport, --sum, --site, --method and what shapes each of them.
+/// --transport, --sum, --site, --method and the options that belong to them.
 class MethodOptions {
  public:
   void addTo(CommandLine& line);
-  /// Onto what `settings` made of the defaults. Throws UsageError for a mixture that contradicts
-  /// itself.
+  /// Applies the options to those that `settings` made of the defaults. Throws UsageError for
+  /// options that contradict each other.
   void applyTo(RenderOptions& options, const SceneFileSettings& settings) const;
-  /// Throws UsageError for what only the diffusion source map has a use for, where none is made,
-  /// and for a variable that the method does not have.
+  /// Throws UsageError for options that only the diffusion source map uses, where none is made, and
+  /// for a variable that the method does not have.
   void requireUse(const RenderOptions& options, Aov aov) const;
 
  private:
@@ -48,17 +49,17 @@ class MethodOptions {
 class LookOptions {
  public:
   void addTo(CommandLine& line);
-  /// Throws UsageError for a mixture that contradicts itself.
+  /// Throws UsageError for options that contradict each other.
   void applyTo(RenderOptions& options) const;
-  /// Whether a value was given that only matters to the reflection on the surface.
+  /// Whether a value was given that only affects the reflection on the surface.
   bool asksForReflection() const { return chosen_.has("roughness"); }
-  /// Whether more samples than one a pixel were asked for.
+  /// Whether more than one sample per pixel was asked for.
   bool asksForAntialiasing() const;
-  /// Whether a value was given that only matters to colours of eight bits.
+  /// Whether a value was given that only affects eight-bit colours.
   bool asksForTone() const;
   /// What was asked for, else what the scene file says.
   ToneOptions tone(const SceneFileSettings& settings, const Scene& scene) const;
-  /// Whether nobody has said how to expose, so that the scene's light decides.
+  /// Whether no exposure was given, so that the scene's light decides.
   bool exposesByLight(const SceneFileSettings& settings) const {
     return !chosen_.has("exposure") && !settings.picture.has("exposure");
   }
@@ -67,36 +68,36 @@ class LookOptions {
   options::Chosen<options::PictureSettings> chosen_;
 };
 
-/// What is written and how it looks.
+/// Which picture is written, where, and how it looks.
 class PictureOptions {
  public:
-  /// What a command makes besides stills of what the camera sees.
+  /// What a command makes besides stills of the camera's view.
   struct Kinds {
     bool films = true;
     bool sourceMap = true;
   };
   void addTo(CommandLine& line, const Kinds& kinds);
-  /// Throws UsageError for a mixture that contradicts itself.
+  /// Throws UsageError for options that contradict each other.
   void applyTo(RenderOptions& options) const;
 
   Aov aov() const { return aov_.value_or(Aov::Radiance); }
-  /// False for what lies in the diffusion source map.
+  /// False for variables of the diffusion source map.
   bool seenByCamera() const { return aov() < Aov::DsmPosition; }
-  /// Whether a value was given that only matters to the reflection on the surface.
+  /// Whether a value was given that only affects the reflection on the surface.
   bool asksForReflection() const { return look_.asksForReflection(); }
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
   void requireNameFor(bool frames, bool resume, bool chunk) const;
-  /// The same where there is nothing but stills.
+  /// The same for a command that makes only stills.
   void requireNameOfStill() const;
-  /// -o, or a name after the scene's in the current folder under which nothing is replaced.
+  /// -o, or an unused name in the current folder that begins with the scene's name.
   Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
   ToneOptions tone(const SceneFileSettings& settings, const Scene& scene) const {
     return look_.tone(settings, scene);
   }
-  /// Where the scene's light has chosen an exposure that shows, which.
+  /// The exposure that the scene's light has chosen; none where it does not show.
   std::optional<std::string> noteOnExposure(const SceneFileSettings& settings,
                                             const ToneOptions& tone) const;
 

@@ -51,7 +51,7 @@ void Progress::show(std::size_t done, std::size_t skipped) {
                         clockText(static_cast<double>(total_ - done) / perSecond));
   }
   const std::string left = fmt::format("{} {}/{}", unit_, done, total_);
-  // One column stays free: a terminal whose last one is written may begin a new line.
+  // One column stays free: writing the last one may make a terminal begin a new line.
   const std::size_t columns = std::max<std::size_t>(statusColumns(), 1) - 1;
   const std::size_t taken = left.size() + right.size();
   const double share =

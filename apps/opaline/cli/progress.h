@@ -6,16 +6,16 @@
 
 namespace opaline::app {
 
-/// A bar on standard error while something is made, where that is a terminal; gone at the end.
+/// A progress bar on standard error, if that is a terminal. It disappears at the end.
 class Progress {
  public:
-  /// `unit` is what is counted, in the singular.
+  /// `unit` names in the singular what is counted.
   Progress(std::size_t total, bool quiet, std::string unit = "frame");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `skipped` of what is done took no time.
+  /// `skipped` of those that are done took no time.
   void show(std::size_t done, std::size_t skipped);
 
  private:

@@ -29,7 +29,7 @@ constexpr Range lengthRange{-1e6, 1e6, "mm"};
 constexpr double mostDiffusionLengths = 1000;
 constexpr double leastDiffusionLengths = 2;
 
-/// X,Y,Z:R,G,B, the colour optional or not.
+/// X,Y,Z:R,G,B. The colour may be optional.
 struct PlacedColour {
   Given place;
   std::optional<Rgb> colour;
@@ -113,7 +113,7 @@ SpotLight readSpot(const Given& given) {
   return checked(given, light);
 }
 
-/// As many parts as the light has, or a sentence about what it needs.
+/// The text's parts, which must be as many as the light has; else an error says what it needs.
 std::vector<Given> partsOf(const Given& given, std::size_t count, const char* needs) {
   std::vector<Given> parts = partsOf(given);
   if (parts.size() == count) return parts;

@@ -16,20 +16,20 @@
 
 namespace opaline::app {
 
-/// SCENE, one or several, or --builtin, its size and its medium.
+/// One or several SCENE, or --builtin, with their size and medium.
 class SceneOptions {
  public:
   void addTo(CommandLine& line);
-  /// Another file instead, of which everything else is as it says.
+  /// Replaces everything by another file, which is loaded unchanged.
   void setFile(const std::filesystem::path& file) { *this = {}, files_ = {file}; }
-  /// Without one, the size is as the file has it.
+  /// None keeps the file's own size.
   void setDiagonalMm(std::optional<float> diagonalMm) { diagonalMm_ = diagonalMm; }
   std::optional<float> diagonalMm() const { return diagonalMm_; }
-  /// Whether any of them was given.
+  /// Whether any of these options was given.
   bool any() const;
   /// The first file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
-  /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
+  /// Loads or makes the scene. Throws UsageError for an impossible combination of options.
   LoadedScene load(const LogCallback& log) const;
 
  private:
@@ -38,28 +38,28 @@ class SceneOptions {
   std::optional<float> diagonalMm_;
   std::optional<std::filesystem::path> morphTo_;
   MediumOptions medium_;
-  options::Chosen<LoadOptions> chosen_;  ///< of the other options
+  options::Chosen<LoadOptions> chosen_;  ///< other options
 };
 
 /// --directional, --point, --spot, --rectangle, --disc, --sphere, --tube, --ambient, --environment
-/// and what turns and scales it, --ground.
+/// with its turn and scale, --ground.
 class LightOptions {
  public:
   void addTo(CommandLine& line);
   bool any() const { return any_ || ground_ || !turned_.empty(); }
-  /// As soon as a light was given, only what was given shines. Turn and intensity are of its
-  /// environment or else of the scene's own.
+  /// Once any light is given, only the given lights shine. Turn and intensity apply to the
+  /// environment that was given, or else to the scene's own.
   void applyTo(LoadedScene& loaded) const;
 
  private:
-  /// Without the environment.
+  /// The lighting without the environment.
   Lighting lightingFor(const Scene& scene) const;
 
   bool any_ = false;
   std::vector<DirectionalLight> directional_;
   std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
-  std::vector<SpotLight> spots_;    ///< the same
-  std::vector<AreaLight> areas_;    ///< the same
+  std::vector<SpotLight> spots_;    ///< likewise
+  std::vector<AreaLight> areas_;    ///< likewise
   Rgb ambient_{};
   std::optional<Ground> ground_;
   std::optional<std::filesystem::path> environment_;
@@ -71,20 +71,20 @@ class CameraOptions {
  public:
   void addTo(CommandLine& line);
   bool any() const { return direction_ || position_ || target_ || !chosen_.empty(); }
-  /// A direction turns the scene's camera about its target; its distance stays. Whatever else is
-  /// given, the camera is chosen. Throws UsageError for a mixture that contradicts itself.
+  /// A direction turns the scene's camera about its target at the same distance. Any option makes
+  /// the camera a chosen one. Throws UsageError for options that contradict each other.
   void applyTo(Scene& scene) const;
-  /// The same of the mixture, before any scene is there.
+  /// Throws the same error before any scene is loaded.
   void check() const;
 
  private:
   std::optional<Vec3> direction_;
   std::optional<Vec3> position_;  ///< relative to the centre of the scene's box
-  std::optional<Vec3> target_;    ///< the same
+  std::optional<Vec3> target_;    ///< likewise
   options::Chosen<Camera> chosen_;
 };
 
-/// A sentence for each medium beside which the scene is so large or so small that its size was
+/// A sentence for each medium compared to which the scene is so large or so small that its size was
 /// probably not meant.
 std::vector<std::string> notesOnSize(const Scene& scene);
 

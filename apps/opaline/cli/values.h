@@ -13,11 +13,11 @@ namespace opaline::app {
 
 using options::Range;
 
-/// What stands between the separators, one part more than there are of these.
+/// The parts between the separators, one more than there are separators.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// A finite number in the range. Throws UsageError that names the option, the reason and the range,
-/// as all readers here do.
+/// A finite number in the range. Like all readers here, throws UsageError that names the option,
+/// the reason and the range.
 double readNumber(const Given& given, const Range& range);
 
 int readInteger(const Given& given, int least, int most);
@@ -29,7 +29,7 @@ std::array<float, 3> readPlace(const Given& given, const Range& range);
 std::array<double, 3> readChannels(const Given& given, const Range& range);
 std::array<float, 3> readColour(const Given& given, const Range& range);
 
-/// X,Y,Z of any length but 0, made a unit vector.
+/// X,Y,Z of any length but 0, normalised.
 std::array<float, 3> readDirection(const Given& given);
 
 /// WIDTHxHEIGHT, each in the range.
@@ -55,7 +55,7 @@ T readChoice(const Given& given, const Choices<T>& choices) {
   refuseChoice(given, names);
 }
 
-/// All that an enumeration can be.
+/// All values of an enumeration.
 template <typename Enumeration>
 const Choices<Enumeration>& choicesOf() {
   static const Choices<Enumeration> choices = [] {

@@ -23,46 +23,45 @@ struct FilmOrder {
   Aov aov = Aov::Radiance;
   RenderOptions options;
   int clip = 0;
-  ToneOptions tone;     ///< of what is not EXR
-  bool resume = false;  ///< leave out what is there already; not for a film
-  /// What each picture carries, if anything; where that differs, it is not the picture. Is called
-  /// on several threads.
+  ToneOptions tone;     ///< for pictures other than EXR
+  bool resume = false;  ///< skip frames whose files exist; not for a film
+  /// The stamp that each picture carries, if any. A picture with another stamp is not the one
+  /// wanted. Called on several threads.
   std::function<std::string(int frame)> stamp;
   bool quiet = false;
-  /// Called before each frame is submitted, where something beside the time is to be set.
+  /// Called before each frame is submitted, to set more than the time.
   std::function<void(Renderer& renderer, int frame)> place;
 };
 
-/// Throws Error now, before hours of work, when the output could not be written or ffmpeg is not
-/// there.
+/// Throws Error before hours of work when the output cannot be written or ffmpeg is missing.
 void requireFilmWritable(const Target& output, const FrameRange& frames);
 
-/// Whether the file of that frame need not be made.
+/// Whether the file of that frame exists and is to be kept.
 bool isThere(const FilmOrder& order, int frame);
 
-/// All files the order is about.
+/// All files that the order writes.
 std::vector<std::string> outputsOf(const FilmOrder& order);
 
 struct FramesThere {
   std::size_t kept = 0;
-  std::size_t otherwiseMade = 0;  ///< whole pictures that carry another stamp or none
+  std::size_t otherwiseMade = 0;  ///< whole pictures with another stamp or none
 };
 
-/// How many frames need not be made, as their files are there, and how many are others.
+/// How many frames exist already, and how many files are other pictures.
 FramesThere countThere(const FilmOrder& order);
 
-/// What making a film did.
+/// What was done to make a film.
 struct FilmMade {
-  std::size_t frames = 0;  ///< that were not there before
+  std::size_t frames = 0;  ///< frames that did not exist before
   RenderReport report;
 };
 
-/// Renders the missing frames, of which there is one at least, each while those before are still
-/// being written.
+/// Renders the missing frames, of which there must be at least one. Earlier frames are still
+/// written meanwhile.
 FilmMade renderFilm(Renderer& renderer, const FilmOrder& order);
 
-/// For FilmOrder::place: puts the body where the frame's file has it. What is kept already is not
-/// read again. Throws as numberOfFrame().
+/// A FilmOrder::place that moves the body to where the frame's file has it. Files that are kept
+/// already are not read again. Throws like numberOfFrame().
 std::function<void(Renderer& renderer, int frame)> placeBySequence(
     std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
     std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());

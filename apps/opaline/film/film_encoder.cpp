@@ -31,16 +31,16 @@ int even(int pixels) {
   return pixels + pixels % 2;
 }
 
-/// Of the encoders for H.264 that ffmpeg was built with it takes the first, libx264 where it is.
-/// The pictures are full-range sRGB; what players expect is BT.709 of limited range, and that said.
+/// The encoder is the first for H.264 that ffmpeg was built with, libx264 if available. The
+/// pictures are full-range sRGB, but players expect limited-range BT.709, marked as such.
 std::vector<std::string> argumentsFor(const fs::path& file, int width, int height,
                                       double framesPerSecond) {
   const std::string size = fmt::format("{}x{}", width, height);
-  // A name that begins like an option or a protocol is still a file.
+  // A name that looks like an option or a protocol is still a file.
   const std::string target = "file:" + file.string();
   return {
       "-nostdin", "-hide_banner", "-loglevel", "error", "-y",
-      // in
+      // input
       "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", size, "-framerate",
       fmt::format("{}", framesPerSecond), "-i", "pipe:0",
       // colour
@@ -49,7 +49,7 @@ std::vector<std::string> argumentsFor(const fs::path& file, int width, int heigh
       "format=yuv420p",
       "-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709", "-color_range",
       "tv",
-      // out
+      // output
       "-c:v", "h264", "-crf", "16", "-movflags", "+faststart", "-f", "mp4", target};
 }
 

@@ -8,20 +8,21 @@
 
 namespace opaline::app {
 
-/// Throws Error with a cure when the program ffmpeg is not there.
+/// Throws Error with a remedy when the program ffmpeg is missing.
 void requireFfmpeg();
 
-/// A film of H.264 in yuv420p, which everything plays, made by the program ffmpeg. An odd size gets
-/// its last row or column twice, as that format halves the resolution of colour.
+/// Makes a film of H.264 in yuv420p, which everything plays, by the program ffmpeg. That format
+/// halves the resolution of colour, so an odd size gets its last row or column twice.
 class FilmEncoder {
  public:
   FilmEncoder(const std::filesystem::path& file, int width, int height, double framesPerSecond);
 
-  /// Its colours are used as they are: what has no background is on black. Throws Error.
+  /// Adds a picture, whose colours are used unchanged: pixels without background are on black.
+  /// Throws Error.
   void add(const Image8& picture);
-  /// Throws Error unless the film is whole.
+  /// Completes the film. Throws Error if that fails.
   void finish();
-  /// Nobody wants the film any more: ends an add() on another thread, too.
+  /// Gives the film up, and ends an add() on another thread too.
   void abandon() { ffmpeg_.kill(); }
 
  private:

@@ -14,7 +14,7 @@ namespace opaline::app {
 
 namespace {
 
-/// The frames that were submitted and not collected.
+/// The frames that are submitted and not yet collected.
 class FramesUnderWay {
  public:
   explicit FramesUnderWay(View& view) : view_(view) {}
@@ -23,7 +23,7 @@ class FramesUnderWay {
       Frame unused;
       while (!numbers_.empty()) collect(unused);
     } catch (const std::exception&) {
-      // Only on the way out with an error that came first; a failed device says so again.
+      // Happens only on the way out, after an error; a failed device would report it again.
     }
   }
   FramesUnderWay(const FramesUnderWay&) = delete;
@@ -36,7 +36,7 @@ class FramesUnderWay {
     numbers_.push_back(number);
   }
 
-  /// The oldest; returns its number.
+  /// Collects the oldest frame and returns its number.
   int collect(Frame& frame) {
     const int number = numbers_.front();
     numbers_.pop_front();
@@ -97,7 +97,7 @@ void FilmJob::step(Renderer& renderer, std::size_t frames,
     while (frames > 0 && next_ <= order_.frames.last) renderNext();
   } catch (const Error&) {
     collectAll();
-    output_.flush();  // what was rendered before is not lost
+    output_.flush();  // keeps what was rendered before
     throw;
   }
   collectAll();

@@ -13,7 +13,7 @@ namespace opaline::app {
 /// How far a film has come, in frames.
 struct FilmProgress {
   std::size_t written = 0;
-  std::size_t skipped = 0;  ///< were there before
+  std::size_t skipped = 0;  ///< existed before
   std::size_t total = 0;
 
   double share() const {
@@ -22,32 +22,32 @@ struct FilmProgress {
 };
 
 /// A film that is made a few frames at a time, by a program that has a renderer and other things to
-/// do in between. It borrows that renderer, which has to outlive it, rather than have one on a
-/// thread of its own, as a device works on one thing at a time anyway, and a second copy of the
-/// scene might not fit its memory; pictures are written and encoded on other threads meanwhile.
+/// do in between. The job borrows that renderer, which must outlive it. A renderer of its own would
+/// gain nothing, as a device works on one thing at a time, and a second copy of the scene might not
+/// fit its memory. Pictures are written and encoded on other threads meanwhile.
 ///
-/// Going away before it is done, it leaves no film; pictures that are there are whole.
+/// A job that is destroyed early leaves no film; pictures written so far are whole.
 class FilmJob {
  public:
-  /// Throws Error when the output cannot be written or ffmpeg is not there.
+  /// Throws Error when the output cannot be written or ffmpeg is missing.
   explicit FilmJob(FilmOrder order);
 
-  /// Renders that many of the frames that are missing, always with the same renderer. With the last
-  /// one it waits until everything is written. Throws Error when a frame cannot be rendered or
-  /// written; nothing but going away is left to the job then.
+  /// Renders that many of the missing frames, always with the same renderer. The last step waits
+  /// until everything is written. Throws Error when a frame cannot be rendered or written; the job
+  /// can then only be destroyed.
   void step(Renderer& renderer, std::size_t frames = 1,
             const std::function<void(const FilmProgress&)>& progress = {});
 
   bool isDone() const { return done_; }
-  /// Where the film is, once it is done.
+  /// The film's path, once it is done.
   const std::filesystem::path& file() const { return output_.file(); }
   FilmProgress progress() const;
-  /// After the first frame that was rendered.
+  /// Valid after the first rendered frame.
   RenderReport report() const { return view_->report(); }
 
  private:
   FilmOrder order_;
-  std::optional<View> view_;  // in the renderer that makes it
+  std::optional<View> view_;  // belongs to the renderer of step()
 
   FilmOutput output_;
   int next_;

@@ -56,7 +56,7 @@ struct FilmCommand {
     line.outputFlags("what was done on standard output", json, quiet);
   }
 
-  /// Refuses what contradicts itself, before any work.
+  /// Refuses options that contradict each other, before any work.
   void requireUse() const {
     if (check && output) throw UsageError("--check writes nothing and needs no -o");
     if (check && (!look.empty() || framesPerSecond)) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As many as there are cores and memory for the frames that wait.
+/// As many threads as there are cores, and memory for the frames that wait.
 std::size_t workersFor(const RenderOptions& options) {
   constexpr std::size_t mostWorkers = 8;
   constexpr std::size_t mostBytes = 1000000000;

@@ -16,15 +16,16 @@ namespace opaline::app {
 
 bool isFilm(const std::filesystem::path& output);
 
-/// EXR as it is, or PNG after the tone curve, with a note in it. Returns where it is.
+/// Writes an image, as EXR unchanged or as PNG after the tone curve, with a note in it. Returns its
+/// path.
 std::filesystem::path writePicture(const Target& target, const Image& image,
                                    const ToneOptions& tone, std::string_view note = {});
 
-/// Takes rendered frames and makes pictures or a film of them on threads of its own. A film that is
-/// not finished leaves no file; pictures are whole or not there.
+/// Turns rendered frames into pictures or a film on threads of its own. An unfinished film leaves
+/// no file. A picture is either whole or absent.
 class FilmOutput {
  public:
-  /// Throws Error when a film cannot be written or ffmpeg is not there.
+  /// Throws Error when a film cannot be written or ffmpeg is missing.
   explicit FilmOutput(const FilmOrder& order);
   ~FilmOutput();
   FilmOutput(const FilmOutput&) = delete;
@@ -34,18 +35,18 @@ class FilmOutput {
   Frame take() { return writer_->take(); }
   void push(int number, Frame frame) { writer_->push(number, std::move(frame)); }
   std::size_t written() const { return writer_->written(); }
-  /// Waits until all frames are written. Throws what went wrong.
+  /// Waits until all frames are written. Throws the first error of writing them.
   void flush() { writer_->finish(); }
-  /// The same; then a film is there. Nothing more is taken.
+  /// The same, and completes a film. Nothing more can be pushed.
   void finish();
-  /// Where a film is, once it is there; else the name that the order gave.
+  /// The path of a finished film; until then the name that the order gave.
   const std::filesystem::path& file() const { return path_; }
 
  private:
   void startFilm(const FilmOrder& order);
 
   std::filesystem::path path_;
-  // What goes first is used by what comes after.
+  // Members are used by those that follow, and so destroyed after them.
   std::optional<WholeFile> file_;
   std::optional<FilmEncoder> encoder_;
   std::optional<FrameWriter> writer_;

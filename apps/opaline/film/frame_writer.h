@@ -14,22 +14,22 @@
 namespace opaline::app {
 
 /// Encodes and writes frames on threads of its own, while the next ones are rendered. Holds one
-/// frame more than it has threads, and uses their memory again and again.
+/// frame more than it has threads, and reuses their memory.
 class FrameWriter {
  public:
   using Write = std::function<void(int number, const Frame& frame)>;
 
-  /// With one worker the frames are written in the order they came.
+  /// With one worker the frames are written in the order of push().
   FrameWriter(std::size_t workers, Write write);
-  /// Drops what waits.
+  /// Drops frames that are still waiting.
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// A frame to be filled, once one is free. Throws what went wrong with one before.
+  /// Waits for a free frame to be filled. Throws the error of an earlier frame.
   Frame take();
   void push(int number, Frame frame);
-  /// Waits until all is written. Throws what went wrong.
+  /// Waits until all frames are written. Throws their first error.
   void finish();
 
   std::size_t written() const;

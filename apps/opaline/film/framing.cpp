@@ -15,17 +15,18 @@ namespace opaline::app {
 
 namespace {
 
-/// Of the picture's half width and height, that stays free around what had to be stepped back for.
+/// The part of the picture's half width and height that stays free around the scene, once the
+/// camera has moved back.
 constexpr double freeMargin = 0.03;
 
-/// Of a longer film some are looked at: what moves between them stays in the margin.
+/// A longer film is sampled at this many moments; motion between them stays within the margin.
 constexpr std::int64_t mostMoments = 1024;
 
-/// A camera that looks past its target by more than this part of a picture sees too little of what
-/// is around it.
+/// A camera whose target is off centre by more than this part of a picture sees too little around
+/// it.
 constexpr float mostShift = 0.4F;
 
-/// Calls use(position) for all vertices of the scene as it is at that time.
+/// Calls use(position) for all vertices of the scene at that time.
 template <typename Use>
 void forEachPosition(const Scene& scene, const SceneTime& time,
                      const PositionsByObject& positionsMm, const Use& use) {
@@ -36,7 +37,7 @@ void forEachPosition(const Scene& scene, const SceneTime& time,
   }
 }
 
-/// What the moments ask for, each margin for itself.
+/// What the moments require, for each margin.
 struct Needs {
   Framing tight;
   Framing loose;
@@ -93,7 +94,7 @@ std::vector<Moment> momentsOf(const FrameRange& frames, const MeshSequence* sequ
   const auto count = static_cast<std::int64_t>(frames.count());
   const std::int64_t looks = std::min(count, mostMoments);
   for (std::int64_t i = 0; i < looks; ++i) {
-    // The first, the last, and those between as evenly as they come.
+    // The first and last frame, and those between as evenly spaced as possible.
     const std::int64_t place = looks > 1 ? i * (count - 1) / (looks - 1) : 0;
     const int frame = static_cast<int>(frames.first + place * frames.step);
     moments.push_back({frames.seconds(frame), {}});

@@ -9,18 +9,18 @@
 
 namespace opaline::app {
 
-/// Positions of numbered files that one reader has read and another will want: the camera's place
-/// depends on all frames of a film, so they are needed before the first is rendered. May be used by
-/// several threads at once.
+/// Keeps positions that one reader has read from numbered files and another will need: the camera's
+/// place depends on all frames of a film, so they are read before the first is rendered.
+/// Thread-safe.
 class KeptPositions {
  public:
   static constexpr std::size_t usualBytes = std::size_t{1} << 30;
 
   explicit KeptPositions(std::size_t mostBytes = usualBytes) : mostBytes_(mostBytes) {}
 
-  /// Does nothing where there is no room for them.
+  /// Does nothing where they do not fit.
   void keep(int number, std::vector<Vec3> positionsMm);
-  /// Whether they were kept; from now on they are not.
+  /// Hands out positions that were kept, and forgets them. False where none were.
   bool take(int number, std::vector<Vec3>& positionsMm);
 
  private:

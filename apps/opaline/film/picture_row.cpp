@@ -38,7 +38,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
-/// What a picture's name would be one of: frame_%04d.png of frame_0012.png.
+/// The pattern that a picture's name may belong to: frame_%04d.png for frame_0012.png.
 std::optional<std::string> patternOf(const std::string& name) {
   const std::string extension = extensionOf(name);
   if (name.front() == '.' || (extension != ".png" && extension != ".exr")) return std::nullopt;
@@ -50,7 +50,8 @@ std::optional<std::string> patternOf(const std::string& name) {
                      padded ? fmt::format("%0{}d", count) : "%d", name.substr(stem.size()));
 }
 
-/// frame_1000.png belongs to frame_%d.png as well as to the frame_%04d.png that others show.
+/// Drops patterns whose pictures belong to others: frame_1000.png fits frame_%d.png as well as
+/// frame_%04d.png.
 void dropWhatOthersHold(std::set<std::string>& patterns, const std::vector<std::string>& names) {
   std::erase_if(patterns, [&](const std::string& text) {
     const auto pattern = NumberedName::parse(text);
@@ -100,7 +101,7 @@ FrameRange framesThere(const fs::path& names) {
   return frames;
 }
 
-/// "4, 10 to 12", of ascending numbers.
+/// Text such as "4, 10 to 12", for ascending numbers.
 std::string numbersText(const std::vector<int>& numbers, int step) {
   constexpr std::size_t most = 8;
   std::vector<std::string> parts;
@@ -192,7 +193,7 @@ std::optional<double> framesPerSecondOf(const PictureRow& row) {
   const std::optional<double> seconds = secondsAt(frame);
   if (!seconds || *seconds <= 0) return std::nullopt;
   const double speed = frame / *seconds;
-  // Of a quotient of two of its multiples, what was typed.
+  // Rounds away the error of the division to the number that was typed.
   const double typed = std::round(speed * 1e6) / 1e6;
   return typed >= 1 && typed <= 1000 ? std::optional(typed) : std::nullopt;
 }

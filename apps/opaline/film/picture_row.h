@@ -10,7 +10,7 @@
 
 namespace opaline::app {
 
-/// Numbered pictures, as chunks of a film leave them.
+/// Numbered pictures, as the chunks of a film leave them.
 struct PictureRow {
   std::filesystem::path names;  ///< a folder and a name with one %d or %0Nd
   FrameRange frames;
@@ -19,24 +19,24 @@ struct PictureRow {
   bool isExr() const;
 };
 
-/// The row in a folder that has one, or whose names are given. Without `frames` it goes from the
-/// smallest number there is to the largest. Throws Error where there is none, and UsageError where
+/// The row in a folder, or the row with the given names. Without `frames` it spans from the
+/// smallest existing number to the largest. Throws Error where there is none, and UsageError where
 /// there are several.
 PictureRow findPictureRow(const std::filesystem::path& given,
                           const std::optional<FrameRange>& frames);
 
-/// The picture of a frame, linear. Throws Error.
+/// The picture of a frame in linear colours. Throws Error.
 Image readPicture(const PictureRow& row, int frame);
 
-/// Throws Error that counts and numbers what is missing or not whole, judged by the ends of the
-/// files, or that names the first of another size.
+/// Throws Error with the numbers of missing or incomplete pictures, judged by the ends of the
+/// files, or with the first picture of another size.
 void requireWhole(const PictureRow& row);
 
-/// The speed at which the pictures were rendered, where their stamps tell.
+/// The frame rate of the rendering, where the pictures' stamps tell it.
 std::optional<double> framesPerSecondOf(const PictureRow& row);
 
-/// A sentence about pictures that were made with another scene or other options than the first, or
-/// nothing.
+/// A sentence about pictures that were made with another scene or other options than the first;
+/// none where all agree.
 std::optional<std::string> noteOnOthers(const PictureRow& row);
 
 }  // namespace opaline::app

@@ -19,7 +19,7 @@ namespace opaline::app {
 
 namespace {
 
-/// Options are read off their table.
+/// All options, read from their table.
 std::string settingsText(const RenderOptions& options, const std::optional<ToneOptions>& tone) {
   std::string text = tone ? "with a tone curve\n" : "linear\n";
   const options::PictureSettings settings{.render = options, .tone = tone.value_or(ToneOptions{})};
@@ -37,7 +37,7 @@ std::uint64_t digestOfFile(const std::filesystem::path& file) {
   return digestOf(readFile(file, mostBytes));
 }
 
-/// What people want to know of a picture that they find.
+/// What people want to know about a picture that they find.
 Json readable(const PictureMakers& makers) {
   Json media = Json::array();
   for (const Object& object : makers.scene.objects) {

@@ -13,31 +13,31 @@
 
 namespace opaline::app {
 
-/// What decides the pixels of a row of pictures, but the device: devices differ by roundings, and a
-/// row may be shared among them.
+/// Everything that decides the pixels of a row of pictures, except the device: devices differ only
+/// by rounding, and several may share a row.
 struct PictureMakers {
   const Scene& scene;
   RenderOptions options;
   int clip = 0;
   Aov aov = Aov::Radiance;
-  std::optional<ToneOptions> tone;               ///< none: linear, as EXR is
-  std::shared_ptr<const MeshSequence> sequence;  ///< whose files the frames show
+  std::optional<ToneOptions> tone;               ///< none: linear, as in EXR
+  std::shared_ptr<const MeshSequence> sequence;  ///< files that the frames show
 };
 
-/// The stamp of each frame: what made it, as JSON of printable ASCII, for people and programs to
-/// read, and a digest of everything that decides the pixels: the scene as it was read, whatever its
-/// files are called, and the version of the program. May be called on several threads.
+/// The stamp of each frame. It says what made the frame, as JSON of printable ASCII, and has a
+/// digest of everything that decides the pixels: the scene as it was read, whatever its files are
+/// called, and the program's version. Thread-safe.
 std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
                                                   const FrameRange& frames);
 
 /// Whether two stamps have the same digest.
 bool isSamePicture(const std::string& stamp, const std::string& other);
 
-/// Whether they come from one scene and the same options, whatever the time; as far as their
-/// readable part tells.
+/// Whether both come from one scene with the same options, at any time, as far as their readable
+/// parts tell.
 bool isSameRow(const std::string& stamp, const std::string& other);
 
-/// The time that the picture shows; nothing where it is no stamp.
+/// The time that the picture shows; none where the text is not a stamp.
 std::optional<double> secondsOf(const std::string& stamp);
 
 }  // namespace opaline::app

@@ -11,7 +11,7 @@ const std::vector<Vec3>& PositionsAhead::of(int number) {
   if (ahead_.valid() && aheadNumber_ == number) {
     spare_ = std::exchange(current_, ahead_.get());
   } else {
-    // What was read ahead in vain, wrong or not, is of no interest.
+    // Positions read in vain do not matter, nor does an error in reading them.
     if (ahead_.valid()) ahead_.wait();
     current_ = readInto(number, std::move(current_));
   }

@@ -8,11 +8,11 @@
 
 namespace opaline::app {
 
-/// Positions from numbered files: while those of one number are in use, those of the next,
-/// a step ahead, are read on another thread.
+/// Positions from numbered files. While those of one number are in use, another thread reads those
+/// a step ahead.
 class PositionsAhead {
  public:
-  /// Must bear to be called on another thread.
+  /// Must be callable on another thread.
   using Read = std::function<void(int number, std::vector<Vec3>& positionsMm)>;
 
   PositionsAhead(int lastNumber, int step, Read read);

@@ -66,7 +66,7 @@ struct RenderCommand {
     line.outputFlags("the report on standard output", json, quiet);
   }
 
-  /// Refuses what contradicts itself, before any work.
+  /// Refuses options that contradict each other, before any work.
   void check() const {
     camera.check();
     motion.check();
@@ -83,7 +83,7 @@ struct RenderCommand {
   }
 };
 
-/// What is settled before anything is rendered.
+/// Everything that is settled before rendering starts.
 struct RenderJob {
   Scene scene;
   SceneFileSettings settings;
@@ -95,7 +95,7 @@ struct RenderJob {
   std::shared_ptr<const MeshSequence> sequence;
   std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
 
-  /// Also refuses what is beyond the sequence.
+  /// Also refuses frames beyond the sequence.
   void aimCamera(const std::optional<FrameRange>& frames) {
     showAll(scene,
             {time.clip, aspectOf(options), sequence.get(),
@@ -124,7 +124,7 @@ std::string onDevice(const DeviceDescription& device) {
   return fmt::format("rendered on {} ({})", device.name, device.type);
 }
 
-/// What was made, and what Vulkan's validation layer said about it.
+/// What was made, and the messages of Vulkan's validation layer.
 struct Done {
   Json report;
   std::size_t validationMessages = 0;
@@ -154,7 +154,7 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
   View view(renderer, job.options);
   const FrameOrder order{.aovs = {command.picture.aov()}};
   RenderResult result = view.render(order);
-  // A report gives the time of a warm frame.
+  // A report gives the time of a warm frame, so a second one is rendered.
   if (command.report || command.json) result = view.render(order);
   const Image& image = result.images.at(0);
   if (isEmpty(image)) {
@@ -169,7 +169,7 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
           renderer.validationMessages()};
 }
 
-/// A report of frames all of which were there already.
+/// A report for frames that all existed already.
 Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outputs) {
   RenderReport nothing;
   nothing.transport = job.options.transport;
@@ -215,7 +215,7 @@ FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const Fr
   return order;
 }
 
-/// Each frame's file is what is written of a row.
+/// A row is written to each frame's own file.
 void requireNoInput(const RenderCommand& command, const RenderJob& job) {
   std::vector<Output> outputs;
   if (job.output.existing == Existing::Replace) {
@@ -228,7 +228,7 @@ void requireNoInput(const RenderCommand& command, const RenderJob& job) {
   requireNoInput(outputs, job.inputs);
 }
 
-/// There are more chunks than frames, and this one has none.
+/// There are more chunks than frames, so this one gets none.
 Done makeNothing(const RenderJob& job, const Chunk& chunk, const LogCallback& log) {
   log(LogLevel::Note, fmt::format("chunk {} of {} has no frames", chunk.number, chunk.count));
   Json report = emptyReportJson(job, {});

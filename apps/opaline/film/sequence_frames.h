@@ -13,18 +13,18 @@ namespace opaline::app {
 /// beyond the last.
 int numberOfFrame(const MeshSequence& sequence, int frame);
 
-/// The same of a still at that time, at the usual speed, as a still has no other.
+/// The same for a still at that time. It counts in frames at the usual speed, since a still has no
+/// other.
 int numberAt(const MeshSequence& sequence, double seconds);
 
-/// The same, but the last from the end on.
+/// The same, but the last file for all later times.
 int nearestNumber(const MeshSequence& sequence, double seconds);
 
-/// When the last file is shown, and when the next one would be.
+/// When the last file is shown, and when the next one would follow.
 double lastSecond(const MeshSequence& sequence);
 double secondsOf(const MeshSequence& sequence);
 
-/// The files from now on, up to that number, each so many behind the one before; none of them is
-/// read that is kept.
+/// The files up to that number, `step` apart. Files that are kept already are not read.
 PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber,
                            int step = 1,
                            std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());

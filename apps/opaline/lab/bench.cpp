@@ -95,7 +95,7 @@ struct BenchCommand {
     return variable != nullptr && *variable != '\0' ? variable : "../shared/models";
   }
 
-  /// Refuses what belongs to another suite.
+  /// Refuses options that belong to another suite.
   void check() const {
     if (!suite) throw UsageError("bench needs the name of a suite: table1, methods or scaling");
     if (*suite != Suite::Table1 && models)

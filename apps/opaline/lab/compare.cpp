@@ -76,7 +76,7 @@ struct CompareCommand {
   }
 };
 
-/// Everything that is measured over any pixels.
+/// Computes all figures over any selection of pixels.
 class Measurement {
  public:
   Measurement(const CompareCommand& command, const ComparedImages& images)
@@ -87,7 +87,7 @@ class Measurement {
     if (!peak_ && images.pictures) peak_ = 1;
   }
 
-  /// Nothing where no pixel is selected.
+  /// None where no pixel is selected.
   std::optional<RegionFigures> over(const compare::Selection& selection) const {
     const auto figures = compare::figuresOver(images_.a, images_.b, selection, peak_);
     if (!figures) return {};

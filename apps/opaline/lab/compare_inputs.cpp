@@ -63,13 +63,13 @@ Image8 shownOverBlack(const Input& input, ToneOptions options) {
   return toneMap(linear, options);
 }
 
-/// What `render` would write as PNG.
+/// Makes the picture that `render` would write as PNG.
 void makePicture(Input& input, const ToneOptions& options) {
   if (input.encoded) return;
   const Image8 picture = toneMap(input.image, options);
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
     const auto value = static_cast<float>(picture.rgba[i]) / 255.0F;
-    // Coverage decides which pixels count and stays as exact as it was.
+    // Coverage decides which pixels count, and so keeps its precision.
     if (i % 4 != 3) input.image.rgba[i] = value;
   }
   input.encoded = true;

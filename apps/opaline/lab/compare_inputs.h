@@ -10,8 +10,8 @@
 
 namespace opaline::app {
 
-/// Two images made ready to be compared: linear values as their files hold them, or, when at least
-/// one is a PNG, pictures: sRGB-encoded values in [0,1].
+/// Two images made ready for comparison. They hold the files' linear values or, when at least one
+/// file is a PNG, sRGB-encoded values in [0,1].
 struct ComparedImages {
   Image a;
   Image b;
@@ -25,12 +25,12 @@ struct CompareTone {
   std::optional<ToneCurve> curve;
 };
 
-/// Throws Error when one cannot be read or they differ in size, UsageError when `tone` asks for
-/// what two PNG pictures cannot do.
+/// Throws Error when an image cannot be read or the sizes differ, and UsageError when `tone` asks
+/// for what two PNG files cannot provide.
 ComparedImages readCompared(const std::filesystem::path& a, const std::filesystem::path& b,
                             const CompareTone& tone);
 
-/// Throws Error unless the mask is as large as `image`, which is that of `imageFile`.
+/// Reads a mask. Throws Error unless it is as large as `image`, which was read from `imageFile`.
 compare::Selection readMask(const std::filesystem::path& file, const Image& image,
                             const std::filesystem::path& imageFile);
 

@@ -22,7 +22,7 @@ constexpr std::array<FigureName, 5> figureNames{{{"rel_rmse", &compare::ErrorFig
                                                  {"max_abs", &compare::ErrorFigures::maxAbs},
                                                  {"psnr_db", &compare::ErrorFigures::psnrDb}}};
 
-/// JSON has no infinity.
+/// JSON has no infinity, so it becomes null.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }

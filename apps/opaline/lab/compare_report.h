@@ -24,7 +24,7 @@ struct CompareReport {
   bool pictures = false;
   RegionFigures whole;
   bool masked = false;
-  std::optional<RegionFigures> inside;  ///< nothing where no pixel counts
+  std::optional<RegionFigures> inside;  ///< none where no pixel counts
   std::optional<RegionFigures> outside;
   std::optional<std::filesystem::path> heatmap;
   double heatmapTop = 0;

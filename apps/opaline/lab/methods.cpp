@@ -25,7 +25,7 @@ namespace {
 namespace rf = opaline::reference;
 
 constexpr int blockEdge = 8;
-/// Half-spaces, which have an exact integral.
+/// Transports of a half-space, for which the exact integral exists.
 constexpr std::array profilesMeasured{Transport::Dipole, Transport::BetterDipole};
 constexpr std::array sitesMeasured{Site::Vertex, Site::Fragment};
 
@@ -47,7 +47,7 @@ rf::PictureOptions pictureOf(const MethodsOrder& order, int every) {
   return picture;
 }
 
-/// Exitance by the exact integral, at every so many pixels.
+/// Exitance by the exact integral, at every `every`-th pixel in each direction.
 Image exactExitance(const MethodsOrder& order, const rf::Geometry& geometry, Transport transport,
                     int every) {
   const rf::Irradiance irradiance(geometry);
@@ -68,7 +68,7 @@ std::optional<double> blockErrorAgainst(const Image& found, const std::optional<
   return figures ? std::optional(figures->relRmse) : std::nullopt;
 }
 
-/// `exact` is nullptr where no integral is stood for.
+/// `exact` is nullptr for a transport without an integral.
 MethodRow measure(View view, const MethodsOrder& order, const Image* exact,
                   const std::optional<Image>& truth, DeviceDescription& device) {
   const RenderOptions& options = view.options();
@@ -95,7 +95,7 @@ bool hasInside(const Scene& scene) {
   });
 }
 
-/// Exitance of light that is followed through the bodies; its own error goes to `methods`.
+/// Exitance of light that is traced through the bodies. The error of the result goes to `methods`.
 Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Methods& methods) {
   const rf::Irradiance irradiance(geometry);
   rf::PathTracer tracer(geometry, {});
@@ -109,7 +109,7 @@ Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Method
   return reference::pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
 }
 
-/// The one that was given, or else one traced here where the scene has an inside.
+/// The truth that was given, or else one traced here if the scene has an inside.
 std::optional<Image> truthFor(const MethodsOrder& order, const rf::Geometry& geometry,
                               Methods& methods) {
   if (order.truth || order.truthSeconds <= 0) return order.truth;
@@ -120,7 +120,7 @@ std::optional<Image> truthFor(const MethodsOrder& order, const rf::Geometry& geo
   return std::nullopt;
 }
 
-/// What is covered by one view of a scene is covered by all.
+/// All pictures of one view must cover the same pixels.
 void requireSameView(const Image& truth, const Image& exact) {
   std::size_t covered = 0;
   std::size_t beside = 0;
@@ -180,7 +180,7 @@ Methods measureMethods(const MethodsOrder& order) {
   }
   for (const Site site : sitesMeasured) {
     View view(renderer, optionsFor(order, Transport::Boundary, Sum::Tree, site));
-    // Without an inside it is the better dipole, which is there.
+    // Without an inside, boundary transport equals the better dipole, which was measured already.
     if (view.render({.aovs = {Aov::Exitance}}).report.clusters == 0) break;
     order.status("measuring boundary transport");
     methods.rows.push_back(measure(std::move(view), order, nullptr, truth, methods.device));

@@ -13,30 +13,30 @@
 
 namespace opaline::app {
 
-/// What every way of rendering a scene is measured with: time on the device, and the error of
+/// What is measured for every method of rendering a scene: time on the device, and the error of
 /// exitance against the exact integral and against a picture of the truth.
 struct MethodsOrder {
   Scene scene;
   int edgePixels = 256;
-  int every = 1;     ///< only every so many pixels across and down; needs truthSeconds of 0
+  int every = 1;     ///< measure only every so many pixels each way; requires truthSeconds of 0
   int frames = 3;    ///< of each measurement of time
-  bool all = false;  ///< the sum over every surfel too, which takes minutes without a GPU
+  bool all = false;  ///< measure the sum over all surfels too, which takes minutes without a GPU
   std::string device;
   std::optional<Image> truth;  ///< exitance of the same view, edgePixels square
-  double truthSeconds = 30;    ///< that it is traced for where it is not given; 0: there is none
+  double truthSeconds = 30;    ///< time to trace the truth where it is not given; 0: no truth
   LogCallback log;
   StatusCallback status = statusTaker(true);
 };
 
-/// One way of rendering, or the exact integral by itself.
+/// One method of rendering, or the exact integral by itself.
 struct MethodRow {
   Transport transport = Transport::Dipole;
   std::string sum;   ///< pattern, tree, all or integral
   std::string site;  ///< vertex, fragment or exact
   std::optional<double> frameMilliseconds;
-  std::optional<double> integralError;  ///< rms over the mean, pixels; none of Transport::Boundary
+  std::optional<double> integralError;  ///< rms over the mean, pixels; none for Transport::Boundary
   std::optional<double> truthError;     ///< the same, blocks of 8×8 pixels
-  std::optional<double> evaluations;    ///< of the profile by the sum, mean over covered pixels
+  std::optional<double> evaluations;    ///< of the profile in the sum, mean over covered pixels
 };
 
 struct Methods {
@@ -44,7 +44,7 @@ struct Methods {
   std::string scene;
   int edgePixels = 0;
   bool hasTruth = false;
-  std::optional<double> truthsOwnError;  ///< standard error of its blocks, where it was traced here
+  std::optional<double> truthsOwnError;  ///< standard error of its blocks, if it was traced here
   std::vector<MethodRow> rows;
 };
 
@@ -53,8 +53,8 @@ Methods measureMethods(const MethodsOrder& order);
 Json toJson(const Methods& methods);
 std::string toReadable(const Methods& methods);
 
-/// Error against cost as SVG, both logarithmic: full marks against the integral, open ones against
-/// the truth.
+/// Error against cost as SVG, both logarithmic: full marks for errors against the integral, open
+/// ones against the truth.
 std::string plotSvg(const Methods& methods);
 
 }  // namespace opaline::app

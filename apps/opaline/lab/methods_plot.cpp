@@ -11,7 +11,7 @@ namespace opaline::app {
 
 namespace {
 
-/// Whole decades that hold all values.
+/// The range of values, widened to whole decades.
 struct Decades {
   double least = 1e300;
   double most = -1e300;
@@ -38,7 +38,8 @@ SvgColour colourFor(Transport transport) {
   return SvgColour::Green;
 }
 
-/// Colour for the transport, shape for the site, full against the integral and open against truth.
+/// The colour shows the transport, the shape the site. Full marks are against the integral, open
+/// ones against the truth.
 SvgMark markFor(const MethodRow& row, bool full) {
   return {colourFor(row.transport), row.site == "vertex" ? SvgShape::Diamond : SvgShape::Disc,
           full};
@@ -77,7 +78,7 @@ class MethodsPlot {
                        frame_.y(error_.share(**error)), markFor(row, error == &row.integralError));
   }
 
-  /// Over the marks of a sum, what it is.
+  /// Writes the name of a sum above its marks.
   void addName(const Methods& methods, const char* sum) {
     double x = 0;
     double highest = frame_.height;

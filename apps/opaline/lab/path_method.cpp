@@ -33,7 +33,7 @@ constexpr std::array orders{std::pair{"unscattered", rf::Order::Unscattered},
 }  // namespace
 
 void warnOfLostLight(const rf::PathTracer& tracer, const LogCallback& log) {
-  // A closed mesh loses particles only where rounding lets one through an edge: some in a million.
+  // A closed mesh only loses the particles, a few in a million, that rounding lets through an edge.
   constexpr double most = 1e-3;
   const double lost = std::max({tracer.lostShare(0), tracer.lostShare(1), tracer.lostShare(2)});
   if (lost <= most) return;

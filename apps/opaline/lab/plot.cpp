@@ -12,14 +12,14 @@ namespace opaline::app {
 
 namespace {
 
-// The sheet, in SVG units.
+// Size of the sheet, in SVG units.
 constexpr double sheetWidth = 720;
 constexpr double sheetHeight = 480;
 constexpr double left = 84;
 constexpr double right = 24;
 constexpr double top = 44;
 constexpr double bottom = 60;
-/// What lies further below the peak is of no interest.
+/// Values further below the peak are not shown.
 constexpr double mostDecades = 8;
 constexpr std::array<const char*, 3> colours{"#c8372d", "#2c8a4b", "#2b5fc0"};
 constexpr std::array<const char*, 3> colourNames{"red", "green", "blue"};
@@ -57,7 +57,7 @@ Axes axesFor(const ProfileSamples& samples) {
   return axes;
 }
 
-/// 1, 2 or 5 times a power of ten, so that four to ten of it fit.
+/// 1, 2 or 5 times a power of ten, chosen so that four to ten steps fit.
 double gridStep(double length) {
   const double power = std::pow(10, std::floor(std::log10(length / 4)));
   for (const double factor : {5.0, 2.0}) {

@@ -12,7 +12,7 @@ struct ProfileSamples {
   std::vector<std::array<double, 3>> reflectancePerMm2;
 };
 
-/// A plot as SVG: radius in mm, R_d in mm⁻² on a logarithmic scale, one curve a channel.
+/// A plot as SVG: radius in mm, R_d in mm⁻² on a logarithmic scale, one curve per channel.
 std::string plotSvg(const ProfileSamples& samples, const std::string& title);
 
 }  // namespace opaline::app

@@ -52,7 +52,8 @@ struct ProfileCommand {
   }
 };
 
-/// Five diffusion lengths of the channel with the longest; 20 mean free paths without absorption.
+/// Five diffusion lengths of the channel with the longest, or 20 mean free paths where there is no
+/// absorption.
 double defaultRadiusMm(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
   if (lengths.longestDiffusionMm) return 5 * *lengths.longestDiffusionMm;

@@ -49,7 +49,7 @@ rf::Region readRegion(const Given& given) {
     try {
       values[i] = readInteger({given.option, given.text.substr(begin, comma - begin)}, 0, 16384);
     } catch (const UsageError&) {
-      // It would show one number as if it were all that was given.
+      // That message would quote one number as if it were the whole argument.
       refuse();
     }
     begin = comma + 1;
@@ -106,7 +106,8 @@ struct ReferenceCommand {
     line.outputFlags("the report on standard output", json, quiet);
   }
 
-  /// Refuses what contradicts itself and what only the GPU's renderer can do, before any work.
+  /// Refuses options that contradict each other or that only the GPU renderer supports, before any
+  /// work.
   void check() const {
     if (integral == path.wanted()) {
       throw UsageError("reference needs one method: --integral or --path");
@@ -147,7 +148,7 @@ struct ReferenceCommand {
     return options;
   }
 
-  /// Those that were named.
+  /// The outputs that were named.
   std::vector<Output> outputs() const {
     std::vector<Output> outputs;
     if (picture.hasFile()) outputs.push_back({"-o", picture.target("", {}).path});
@@ -172,7 +173,7 @@ struct ReferenceCommand {
   }
 };
 
-/// What is settled before anything is computed.
+/// Everything that is settled before the computation starts.
 struct ReferenceJob {
   rf::Scene scene;
   RenderOptions options;
@@ -180,7 +181,7 @@ struct ReferenceJob {
   Target output;
 };
 
-/// Positions of a still of a row of files.
+/// The positions of a still, read from a sequence's files.
 PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
   PositionsByObject positionsMm;
   if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
@@ -213,11 +214,11 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
           tone, std::move(output)};
 }
 
-/// What was made.
+/// The result of the computation.
 struct Made {
   rf::Picture picture;
-  Json facts = Json::object();  ///< what only this method has to say
-  double blockError = 0;        ///< of --path
+  Json facts = Json::object();  ///< specific to the method
+  double blockError = 0;        ///< with --path only
 };
 
 Made makeIntegral(const ReferenceCommand& command, const ReferenceJob& job) {
@@ -297,7 +298,8 @@ void runReference(const Arguments& arguments) {
   std::string note =
       fmt::format("wrote {}, in {:.1f} s", nameText(file, job.output.path), seconds.count());
   if (rf::showsExitance(command.picture.aov())) {
-    // Single pixels of a path-traced picture are noise, and say nothing where no particle came.
+    // Single pixels of a path-traced picture are noise, and pixels without particles show nothing,
+    // so blocks are judged.
     note += command.integral
                 ? fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
                               made.picture.error.mean, made.picture.error.largest)

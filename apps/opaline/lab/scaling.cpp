@@ -17,7 +17,7 @@ constexpr double framesPerSecond = 30;
 constexpr std::array budgetParts{16, 4, 1};
 constexpr std::array sigmaTrDivisors{1.0, 10.0, 100.0};
 constexpr std::array tolerancesMeasured{0.1, 0.03, 0.01, 0.003};
-/// The smallest that there is.
+/// The smallest tolerance that is allowed.
 constexpr double finestTolerance = 1e-4;
 
 using SharedRenderer = std::shared_ptr<Renderer>;
@@ -61,8 +61,8 @@ ScalingWay makeWay(const ScalingOrder& order, double value, const Scene& scene,
   return {std::move(row), std::move(renderer), std::move(view), {}};
 }
 
-/// One frame of each way after the other, again and again, so that what else the machine does falls
-/// on all of them alike.
+/// Renders one frame of each way in turn, again and again, so that other load on the machine
+/// affects all alike.
 void measureInTurns(std::vector<ScalingWay>& ways, const ScalingOrder& order, const char* status) {
   Frame done;
   for (int frame = 0; frame <= order.frames; ++frame) {
@@ -97,7 +97,7 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
   std::vector<ScalingWay> ways;
   for (const int part : budgetParts) {
     const int budget = order.mostSurfels / part;
-    // No notes: that the budget binds is meant.
+    // No log: the budget is meant to bind.
     ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
     ways.back().change(&RenderOptions::maxSurfels, budget);
   }

@@ -22,10 +22,10 @@ constexpr std::array clusterParts{64, 16, 4, 1};
 constexpr std::array lightsMeasured{1, 2, 4, 8, 16};
 constexpr std::array edgeParts{4, 2, 1};
 
-/// Of the most clusters, so many surfels belong to each.
+/// Surfels per cluster at the largest number of clusters.
 constexpr int surfelsOfCluster = 16;
 constexpr int fewestClusters = 64;
-/// A medium that asks for so many surfels asks for a cluster as well.
+/// A medium that asks for this many surfels also asks for one cluster.
 constexpr int surfelsAskedWithCluster = 160;
 
 using Names = std::initializer_list<std::string_view>;
@@ -43,7 +43,7 @@ class FrameMeasurement {
   FrameMeasurement(const ScalingOrder& order, const char* varied)
       : order_(order), series_{.varied = varied, .rows = {}} {}
 
-  /// Frames that the program renders by default, at vertices.
+  /// The program's default options, with light at vertices.
   RenderOptions options() const {
     RenderOptions options;
     options.width = options.height = order_.edgePixels;
@@ -52,7 +52,7 @@ class FrameMeasurement {
   }
 
   std::shared_ptr<Renderer> rendererFor(const Scene& scene) const {
-    // No notes: that budgets bind is meant.
+    // No log: budgets are meant to bind.
     auto renderer = std::make_shared<Renderer>(RendererOptions{.device = order_.device, .log = {}});
     renderer->setScene(scene);
     return renderer;
@@ -63,8 +63,8 @@ class FrameMeasurement {
     ways_.push_back({std::move(renderer), std::move(view), 0, {}});
   }
 
-  /// One frame of each after the other, again and again, so that what else the machine does falls
-  /// on all of them alike.
+  /// Renders one frame of each way in turn, again and again, so that other load on the machine
+  /// affects all alike.
   FrameScaling measure(Names passes, auto valueOf) {
     Frame done;
     for (int frame = 0; frame <= order_.frames; ++frame) {
@@ -118,7 +118,7 @@ FrameScaling measureClusters(const ScalingOrder& order) {
                              [](const View& view) { return view.report().clusters; });
 }
 
-// Of the same power together, from around the body.
+// Puts lights around the body whose power adds up to the same total.
 Scene withLights(Scene scene, int count) {
   Lighting lighting;
   lighting.ambient = scene.lighting.ambient;

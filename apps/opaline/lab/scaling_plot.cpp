@@ -15,7 +15,7 @@ namespace opaline::app {
 
 namespace {
 
-/// Times of a part and of the frame, where a series has gone so far from its first row.
+/// Times of a part and of the frame, and how far the series has gone from its first row.
 struct Point {
   double hardness;
   double part;
@@ -39,8 +39,8 @@ Series seriesOf(const FrameScaling& frames) {
   return series;
 }
 
-/// Across, how far a series has gone from its first row; upwards, time as a multiple of that row's.
-/// Both logarithmic, so that a power is a straight line.
+/// The horizontal axis shows how far a series has gone from its first row, the vertical one time as
+/// a multiple of that row's. Both are logarithmic, so that a power is a straight line.
 class ScalingPlot {
  public:
   ScalingPlot(const Scaling& scaling, const std::vector<Series>& all)
@@ -102,7 +102,7 @@ class ScalingPlot {
   SvgSheet sheet_;
   double mostDecades_ = 1;
   double most_ = 1;
-  double line_ = frame_.top + 8;  ///< of the legend
+  double line_ = frame_.top + 8;  ///< next line of the legend
 };
 
 }  // namespace

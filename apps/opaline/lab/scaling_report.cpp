@@ -13,15 +13,15 @@ namespace opaline::app {
 
 namespace {
 
-/// The sum over the tree may take so many times as long where σ_tr is 100 times smaller.
+/// How much longer the sum over the tree may take where σ_tr is 100 times smaller.
 constexpr double mostForSmallSigmaTr = 1.3;
 
 double ratio(double value, double first) {
   return first > 0 ? value / first : 0;
 }
 
-/// What each doubling of the value since the row before adds to the time of the sum, as a share of
-/// the first row's. It stays the same where time grows like a logarithm.
+/// How much time each doubling of the value since the previous row adds to the sum, as a share of
+/// the first row's time. It is constant where time grows like a logarithm.
 std::optional<double> growthPerDoubling(const std::vector<ScalingRow>& rows, std::size_t row) {
   if (row == 0) return std::nullopt;
   const double doublings = std::log2(static_cast<double>(rows[row].surfels) /

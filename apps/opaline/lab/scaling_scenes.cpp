@@ -8,9 +8,9 @@ namespace opaline::app {
 
 namespace {
 
-/// The size of surfels where no budget binds, as the renderer divides bodies. A triangle of that
-/// size (surfels::spacingOfMm) has at most √3/2 of the area of the square, so that there are at
-/// least as many surfels as squares.
+/// The size of surfels, relative to the mean free path, where no budget binds. A triangle of that
+/// size (surfels::spacingOfMm) has at most √3/2 of the area of the square, so there are at least as
+/// many surfels as squares.
 constexpr double sizeInFreePaths = 0.65;
 
 double areaMm2(const Mesh& mesh) {
@@ -40,7 +40,7 @@ double mostExtinctionPerMm(const Medium& medium) {
 
 }  // namespace
 
-// σ_tr² = 3 σ_a (σ_a + σ_s'), solved for σ_a; without the difference of like numbers.
+// σ_tr² = 3 σ_a (σ_a + σ_s'), solved for σ_a without subtracting nearly equal numbers.
 Medium withSmallerSigmaTr(const Medium& medium, double divisor) {
   Medium result = medium;
   for (std::size_t i = 0; i < 3; ++i) {

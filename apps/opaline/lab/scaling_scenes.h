@@ -4,13 +4,13 @@
 
 namespace opaline::app {
 
-/// Every channel's σ_tr divided by `divisor` by taking away absorption; σ_s' stays as it is.
+/// Divides every channel's σ_tr by `divisor` by reducing absorption; σ_s' stays.
 Medium withSmallerSigmaTr(const Medium& medium, double divisor);
 
 /// The same for all objects of a scene.
 Scene withSmallerSigmaTr(Scene scene, double divisor);
 
-/// By what to multiply all coefficients so that the renderer wants at least so many surfels of the
+/// The factor on all coefficients with which the renderer wants at least so many surfels of the
 /// scene; 1 where it does already.
 double densityFor(const Scene& scene, int surfels);
 

@@ -18,12 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Gong et al. 2008, Table 1: frames per second on an NVidia 7600 GS; that its pictures measure
-/// 1024 × 1024 says Figure 8.
+/// Gong et al. 2008, Table 1: frames per second on an NVidia 7600 GS. Figure 8 gives the size of
+/// the pictures, 1024 × 1024.
 struct PaperRow {
   const char* data;
   const char* file;
-  const char* morphTo;  ///< none: the model stands still
+  const char* morphTo;  ///< none: a still model
   double fragmentPerSecond;
   double vertexPerSecond;
 };
@@ -40,7 +40,7 @@ constexpr int edgePixels = 1024;
 constexpr float modelDiagonalMm = 50;
 constexpr double framesPerClip = 30;
 
-/// `opaline render --method paper` but for the site.
+/// `opaline render --method paper`, except for the site.
 RenderOptions paperOptions(Site site) {
   RenderOptions options;
   options.width = options.height = edgePixels;
@@ -60,7 +60,7 @@ Scene loadRow(const PaperRow& row, const Table1Order& order) {
   return loadScene(order.models / row.file, options);
 }
 
-/// `opaline render --transport dipole`: the paper's transport, another sum.
+/// `opaline render --transport dipole`: the paper's transport with another sum.
 RenderOptions treeOptions() {
   RenderOptions options;
   options.width = options.height = edgePixels;
@@ -69,13 +69,13 @@ RenderOptions treeOptions() {
   return options;
 }
 
-/// The tree has no use for the paper's atlas, so each has a renderer with what it needs.
+/// The tree does not use the paper's atlas, so each method has a renderer with only what it needs.
 struct Renderers {
   Renderer paper;
   Renderer tree;
 };
 
-/// One kind of frame and what its frames took.
+/// One kind of frame and its times.
 struct Table1Way {
   Renderer& renderer;
   View view;
@@ -83,8 +83,8 @@ struct Table1Way {
   FrameMedians medians;
 };
 
-/// One frame of each way after the other, again and again, so that what else the machine does falls
-/// on all alike. The time goes on, so that no frame can be that before.
+/// Renders one frame of each way in turn, again and again, so that other load on the machine
+/// affects all alike. The time advances, so that no frame equals the previous one.
 void measureInTurns(std::span<Table1Way> ways, double clipSeconds, int frames) {
   Frame done;
   for (int frame = 0; frame <= frames; ++frame)

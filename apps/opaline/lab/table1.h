@@ -11,7 +11,7 @@
 
 namespace opaline::app {
 
-/// What Table 1 of Gong et al. 2008 is measured with here.
+/// What to measure for Table 1 of Gong et al. 2008.
 struct Table1Order {
   std::filesystem::path models;
   std::string device;
@@ -26,7 +26,7 @@ struct Table1Row {
   std::size_t vertices = 0;
   double fragmentPerSecond = 0;  ///< the paper's FTF
   double vertexPerSecond = 0;    ///< the paper's VTF
-  double treePerSecond = 0;      ///< the tree, at vertices or fragments as the model suggests
+  double treePerSecond = 0;      ///< the tree, at vertices or fragments as suits the model
   double paperFragmentPerSecond = 0;
   double paperVertexPerSecond = 0;
 };
@@ -36,7 +36,7 @@ struct Table1 {
   std::vector<Table1Row> rows;
 };
 
-/// Throws Error when a model is not in the folder.
+/// Throws Error when the folder lacks a model.
 void requireTable1Models(const std::filesystem::path& folder);
 
 Table1 measureTable1(const Table1Order& order);

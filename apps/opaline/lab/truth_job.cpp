@@ -16,10 +16,10 @@ namespace {
 namespace rf = opaline::reference;
 using Clock = std::chrono::steady_clock;
 
-/// Between pictures of the particles, as long as making one is cheap beside that.
+/// Time between pictures of the particles, and the most that making them may take of the total.
 constexpr double secondsBetweenPictures = 0.5;
 constexpr double mostOfPictures = 0.2;
-/// Short enough to be cancelled between two of them.
+/// Short enough that the job can be cancelled between two batches.
 constexpr double secondsOfBatch = 0.25;
 
 double secondsSince(Clock::time_point begin) {
@@ -130,7 +130,7 @@ void TruthJob::follow(const Work& work, const rf::Geometry& geometry, const std:
     show({std::move(made.image), error, secondsSince(work.begin), tracer.particles()});
   };
   Clock::time_point shown = Clock::now();
-  double pause = 0;  // the first comes at once
+  double pause = 0;  // none before the first picture
   const double reached = rf::runPaths(
       tracer, blockError, limits, [&](std::uint64_t particles, double seconds, double error) {
         rf::throwIfStopped(stop);

@@ -16,52 +16,51 @@
 
 namespace opaline::app {
 
-/// How the truth is found.
+/// The method and the limits of computing the truth.
 struct TruthOrder {
   enum class Method {
-    Integral,  ///< of the dipole, or the better one, over the surface
-    Path,      ///< particles from the lights through the bodies
+    Integral,  ///< the dipole or the better dipole, integrated over the surface
+    Path,      ///< particles traced from the lights through the bodies
   };
   Method method = Method::Path;
-  double tolerance = 1e-3;  ///< of the integral, relative, in [1e-7, 0.5]
+  double tolerance = 1e-3;  ///< relative, of the integral, in [1e-7, 0.5]
   reference::PathOptions path;
-  reference::PathLimits limits;  ///< of Path; none: until blocks are within 2 %
+  reference::PathLimits limits;  ///< for Path; none: until blocks are within 2 %
   int threads = 0;               ///< at most; 0: as many as there are cores
 };
 
-/// A picture of it.
+/// A picture of the truth.
 struct TruthPicture {
   Image image;
-  /// Relative: what the integral's pixels may be off in the mean, or the standard error of blocks
-  /// of 8×8 pixels of the particles.
+  /// Relative error: the mean error of the integral's pixels, or the standard error of the
+  /// particles' blocks of 8×8 pixels.
   double error = 0;
   double seconds = 0;           ///< since the job began
-  std::uint64_t particles = 0;  ///< of each channel, of Path
+  std::uint64_t particles = 0;  ///< per channel, with Path
 };
 
-/// What `opaline reference` computes, on threads of its own, for a program that meanwhile shows
-/// something else. All functions may be called from any thread. Prints nothing.
+/// Computes what `opaline reference` does, on threads of its own, for a program that shows
+/// something else meanwhile. All functions are thread-safe. Nothing is printed.
 class TruthJob {
  public:
   enum class State { Running, Done, Cancelled, Failed };
 
-  /// Radiance without the reflection on the surface, of the size, samples and transport of
-  /// `options`, seen by the scene's camera. Given positions are as those that a Renderer is
-  /// given.
+  /// Computes radiance without the reflection on the surface, seen by the scene's camera. `options`
+  /// gives size, samples and transport. `positionsMm` has the same form as for a Renderer.
   TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
            const TruthOrder& order, PositionsByObject positionsMm = {});
-  /// Cancels.
+  /// Cancels the job.
   ~TruthJob();
   TruthJob(const TruthJob&) = delete;
   TruthJob& operator=(const TruthJob&) = delete;
 
   State state() const { return state_; }
-  /// In [0, 1]; 0 while sources are sought.
+  /// In [0, 1]; 0 while sources are being found.
   double progress() const { return progress_; }
   /// The latest, nothing before the first. Of Path there is one after the other, each nearer to the
   /// truth; one that was handed out stays as it is.
   std::shared_ptr<const TruthPicture> picture() const;
-  /// One sentence where it failed, else empty.
+  /// One sentence if the job failed, else empty.
   std::string error() const;
 
   /// Returns at once; the job ends within a second.
@@ -82,7 +81,7 @@ class TruthJob {
   mutable std::mutex mutex_;
   std::shared_ptr<const TruthPicture> picture_;
   std::string error_;
-  std::jthread thread_;  ///< last, so that it ends before what it works with
+  std::jthread thread_;  ///< last, so that it ends before the members that it uses
 };
 
 }  // namespace opaline::app

@@ -32,7 +32,7 @@ void FileChooser::ask(FileUse use, const fs::path& offered) {
       native_.emplace(*program, question);
       return;
     } catch (const std::exception&) {
-      native_.reset();  // ours serves as well
+      native_.reset();  // our own dialog takes over
     }
   }
   own_.open(std::move(question));
@@ -52,7 +52,7 @@ std::optional<FileAnswer> FileChooser::takeNative() {
   if (!file) return std::nullopt;
   if (!question_->saves()) return FileAnswer{question_->use, *file, false};
   const fs::path whole = withExtension(*file, *question_);
-  // The desktop's dialog has asked about the name that it gave.
+  // The desktop's dialog has already asked whether to replace the file of that name.
   return FileAnswer{question_->use, whole, whole == *file};
 }
 

@@ -13,22 +13,22 @@
 namespace opaline::app::viewer {
 
 /// Lets the user choose files: in the desktop's own dialog where there is one, else in ours. The
-/// window goes on meanwhile.
+/// window stays alive meanwhile.
 class FileChooser {
  public:
-  /// `openFolder` is where models and environments were opened from last; empty: not known.
+  /// `openFolder` is where a model or an environment was last opened; empty: unknown.
   explicit FileChooser(std::filesystem::path openFolder) : openFolder_(std::move(openFolder)) {}
 
-  /// Asks for a file; `offered` is a name to save under. While one is asked for, no other is.
+  /// Asks for a file; `offered` is a name to save under. Only one question is open at a time.
   void ask(FileUse use, const std::filesystem::path& offered = {});
-  /// Whether our own dialog has the window.
+  /// Whether our own dialog is open.
   bool isModal() const { return own_.isOpen(); }
-  /// Whether there is a dialog of another program, whose end is no event of the window.
+  /// Whether another program's dialog is open, whose end causes no event of the window.
   bool isWaiting() const { return native_.has_value(); }
   void close();
 
   void useKeys(const std::vector<KeyPress>& presses) { own_.useKeys(presses); }
-  /// Draws our own dialog; the answer, once it is given.
+  /// Draws our own dialog. Returns the answer once it is given.
   std::optional<FileAnswer> draw();
 
   const std::filesystem::path& openFolder() const { return openFolder_; }
@@ -37,7 +37,7 @@ class FileChooser {
   std::optional<FileAnswer> takeNative();
 
   std::filesystem::path openFolder_;
-  std::filesystem::path saveFolder_;  // where something was saved last
+  std::filesystem::path saveFolder_;  // last folder of a saved file
   std::optional<FileQuestion> question_;
   std::optional<NativeDialog> native_;
   FileDialog own_;

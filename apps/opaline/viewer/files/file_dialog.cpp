@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* filePopup = "file";
-constexpr long page = 12;  // entries that a key for pages goes on by
+constexpr long page = 12;  // entries that Page Up and Page Down move by
 
 bool isThere(const fs::path& path) {
   std::error_code error;
@@ -54,7 +54,7 @@ void FileDialog::list() {
   wouldReplace_.clear();
 }
 
-// The name's field keeps a text of its own while it has the keys.
+// The text field keeps its own copy of the name while it has keyboard focus.
 void FileDialog::type(std::string text) {
   name_ = text;
   replacing_ = std::move(text);
@@ -72,7 +72,7 @@ void FileDialog::step(long by) {
   if (count == 0) return;
   long to = by > 0 ? by - 1 : 0;
   if (selected_) {
-    // First to the entry that begins as what was typed.
+    // The first step goes to the entry that begins with the typed text.
     const bool named = name_ == listing_.entries[*selected_].text;
     to = static_cast<long>(*selected_) + (named ? by : 0);
   }
@@ -89,7 +89,7 @@ void FileDialog::useKeys(const std::vector<KeyPress>& presses) {
         break;
       case GLFW_KEY_ENTER:
       case GLFW_KEY_KP_ENTER:
-        enter_ = true;  // once what was typed before it is there
+        enter_ = true;  // handled once the text typed before it has arrived
         break;
       case GLFW_KEY_UP:
         if (press.alt) {
@@ -113,8 +113,8 @@ void FileDialog::useKeys(const std::vector<KeyPress>& presses) {
   }
 }
 
-// What the name stands for: the selected entry, whose name may hold what cannot be typed, or a
-// path.
+// The file that the name means: the selected entry, whose name may have characters that cannot be
+// typed, or a path.
 void FileDialog::accept() {
   if (!wouldReplace_.empty()) {
     answer_ = {question_->use, wouldReplace_, true};
@@ -225,7 +225,7 @@ void FileDialog::drawName() {
   ImGui::SetNextItemWidth(-1);
   constexpr ImGuiInputTextFlags flags =
       ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackEdit |
-      ImGuiInputTextFlags_AutoSelectAll;  // the name that is offered goes with the first letter
+      ImGuiInputTextFlags_AutoSelectAll;  // the first letter replaces the offered name
   ImGui::InputTextWithHint("##name", "a name, or a path", &name_, flags, atEdit, this);
   controls::note("name");
   if (!ImGui::IsItemActive()) replacing_.reset();

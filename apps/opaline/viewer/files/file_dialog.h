@@ -14,16 +14,16 @@
 
 namespace opaline::app::viewer {
 
-/// A dialog of our own to choose a file in, over everything else of the window.
+/// Our own file dialog, above everything else in the window.
 class FileDialog {
  public:
   void open(FileQuestion question);
   void close() { question_.reset(); }
   bool isOpen() const { return question_.has_value(); }
 
-  /// All keys are the dialog's while it is open.
+  /// The dialog takes all keys while it is open.
   void useKeys(const std::vector<KeyPress>& presses);
-  /// Draws it with Dear ImGui's functions; the answer, once it is given.
+  /// Draws it with Dear ImGui. Returns the answer once it is given.
   std::optional<FileAnswer> draw();
 
  private:
@@ -47,12 +47,12 @@ class FileDialog {
   bool allFiles_ = false;
   std::string name_;  // as typed
   std::optional<std::size_t> selected_;
-  std::string said_;                      // why the last choice was none
-  std::filesystem::path wouldReplace_;    // asked about, and not yet answered
-  std::optional<std::string> replacing_;  // what the name becomes while it is being typed
-  bool showSelected_ = false;             // the list is to scroll there
-  bool enter_ = false;                    // the key was pressed
-  bool typeHere_ = false;                 // the name is to take the keys
+  std::string said_;                      // why the last choice was refused
+  std::filesystem::path wouldReplace_;    // the user is asked, and has not answered
+  std::optional<std::string> replacing_;  // new content of the name's field while it is edited
+  bool showSelected_ = false;             // the list must scroll there
+  bool enter_ = false;                    // Enter was pressed
+  bool typeHere_ = false;                 // the name's field must take the focus
   std::optional<FileAnswer> answer_;
 };
 

@@ -9,29 +9,29 @@ namespace opaline::app::viewer {
 /// What a file is chosen for.
 enum class FileUse { OpenScene, OpenEnvironment, SavePicture, SaveExr, SaveScene, SaveFilm };
 
-/// What the user is asked for. How it is asked is another's business.
+/// What the user is asked for, whichever dialog asks.
 struct FileQuestion {
   FileUse use = FileUse::OpenScene;
   std::string title;
-  std::string kind;                     ///< of file, as people call it: "models and scenes"
+  std::string kind;                     ///< of file, in plain words: "models and scenes"
   std::vector<std::string> extensions;  ///< in lower case, with their dots
-  std::filesystem::path folder;         ///< to begin in, absolute
-  std::string name;                     ///< that is offered; empty: none
+  std::filesystem::path folder;         ///< where to begin, absolute
+  std::string name;                     ///< offered name; empty: none
 
   bool saves() const;
 };
 
-/// The question for a use, with all but folder and name.
+/// The question for a use; folder and name are left empty.
 FileQuestion questionFor(FileUse use);
 
-/// A file that was chosen.
+/// A file that the user chose.
 struct FileAnswer {
   FileUse use = FileUse::OpenScene;
   std::filesystem::path file;
-  bool mayReplace = false;  ///< the user has said so of the file that stands there
+  bool mayReplace = false;  ///< the user agreed to replace the existing file
 };
 
-/// The name as it is written where the question saves: with an extension of that kind.
+/// The name to be used. When saving, it gets an extension of that kind.
 std::filesystem::path withExtension(std::filesystem::path file, const FileQuestion& question);
 
 }  // namespace opaline::app::viewer

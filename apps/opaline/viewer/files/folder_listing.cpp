@@ -22,7 +22,7 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// As people sort names: capitals beside small letters, m_9 before m_10.
+// Sorts names as people do: without regard to case, and m_9 before m_10.
 bool comesBefore(const std::string& a, const std::string& b) {
   std::size_t i = 0;
   std::size_t j = 0;
@@ -48,7 +48,7 @@ bool comesBefore(const std::string& a, const std::string& b) {
   return a < b;
 }
 
-// How many bytes the character takes that begins there; 0 where none does (RFC 3629).
+// The length of the character that begins there; 0 where none does (RFC 3629).
 std::size_t characterBytes(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -101,7 +101,7 @@ FolderListing listFolder(const fs::path& folder, const std::vector<std::string>&
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     fs::path name = entry->path().filename();
     if (!hidden && name.native().starts_with('.')) continue;
-    std::error_code unknown;  // a link to nowhere is no folder
+    std::error_code unknown;  // a dangling link is not a folder
     const bool isFolder = entry->is_directory(unknown);
     const bool wanted =
         isFolder || extensions.empty() ||
@@ -143,7 +143,7 @@ fs::path typedPath(const fs::path& folder, std::string_view typed) {
   if (typed == "~") path = homeFolder();
   if (typed.starts_with("~/")) path = homeFolder() / typed.substr(2);
   fs::path whole = (folder / path).lexically_normal();
-  // "models/" is the folder models, not what is without a name in it.
+  // "models/" means the folder models, not an unnamed file in it.
   return whole.has_filename() || !whole.has_relative_path() ? whole : whole.parent_path();
 }
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// *.glb *.GLB …: names are matched letter by letter.
+// Patterns such as *.glb *.GLB: the dialogs match case.
 std::string patterns(const FileQuestion& question) {
   std::string list;
   for (const std::string& extension : question.extensions) {
@@ -41,7 +41,7 @@ std::optional<DialogProgram> findDialogProgram() {
 }
 
 std::vector<std::string> argumentsFor(const DialogProgram& program, const FileQuestion& question) {
-  // With its end, a folder is where to begin and not what is chosen.
+  // A trailing slash makes a folder the place to begin instead of the choice.
   const std::string place = (question.folder / question.name).string();
   if (program.ofKde) {
     return {"--title", question.title, question.saves() ? "--getsavefilename" : "--getopenfilename",
@@ -70,7 +70,7 @@ NativeDialog::NativeDialog(const DialogProgram& program, const FileQuestion& que
 std::optional<fs::path> NativeDialog::file() {
   constexpr std::size_t longestName = 1U << 16U;
   child_.finish();
-  // Both programs end with 1 where the dialog was left without a choice.
+  // Both programs exit with 1 if the user chose nothing.
   constexpr int noChoice = 1;
   std::optional<fs::path> file;
   if (child_.exitStatus() == 0) file = fileIn(child_.output(longestName));

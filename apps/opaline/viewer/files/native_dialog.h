@@ -10,32 +10,33 @@
 
 namespace opaline::app::viewer {
 
-/// A program that shows the desktop's own dialog.
+/// A program that shows the desktop's file dialog.
 struct DialogProgram {
   std::filesystem::path file;
   bool ofKde = false;  ///< kdialog; else zenity
 };
 
-/// The one that suits the desktop that runs; nothing where none runs or none is installed.
+/// The program that suits the running desktop. None where no desktop runs or no program is
+/// installed.
 std::optional<DialogProgram> findDialogProgram();
 
-/// What it is called with.
+/// The arguments to start it with.
 std::vector<std::string> argumentsFor(const DialogProgram& program, const FileQuestion& question);
 
-/// The file that its output names: one name and a line's end, whatever the name holds. Nothing
-/// where it names none.
+/// The file that its output names: one name and a line end, whatever the name contains. None where
+/// it names none.
 std::optional<std::filesystem::path> fileIn(const std::string& output);
 
-/// The desktop's own dialog, in a window of another program.
+/// The desktop's own dialog, which another program shows.
 class NativeDialog {
  public:
   /// Throws Error when the program cannot be started.
   NativeDialog(const DialogProgram& program, const FileQuestion& question);
 
   bool isOpen() const { return child_.isRunning(); }
-  /// Once it is not open any more: the file, or nothing where the user chose none.
+  /// The chosen file, once the dialog is closed; none if the user chose nothing.
   std::optional<std::filesystem::path> file();
-  /// Whether the program could not do what it is for. After file().
+  /// Whether the program could not do its work. Call after file().
   bool failed() const { return failed_; }
 
  private:

@@ -19,12 +19,12 @@ std::string saved(const std::filesystem::path& file, const Target& wanted) {
   return fmt::format("saved {}", nameText(file, wanted.path));
 }
 
-// Which `opaline render` draws as the picture.
+// Writes a scene file that `opaline render` draws as the same picture.
 std::string saveScene(const Session& session, const Target& target, int width, int height) {
   SceneFileSettings settings = settingsOf(
       {sized(session.options, width, height), session.time, session.tone}, session.scene);
   if (session.exposesByLight) settings.picture.erase("exposure");
-  // Between the last file and the end, the last is shown; render knows no such time.
+  // Between the last file and the end the last file is shown; render knows no such time.
   if (session.sequence) {
     settings.picture.set(options::fieldOf<options::PictureSettings>("seconds"),
                          std::min(session.time.seconds, lastSecond(*session.sequence)));
@@ -68,7 +68,7 @@ std::string Saver::savePicture(const Session& session, const Target& target, int
 }
 
 void Saver::startFilm(const Session& session, const Target& target, int width, int height) {
-  // Films have an even number of pixels each way.
+  // Films need an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
   order.clip = session.time.clip;

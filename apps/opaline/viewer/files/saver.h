@@ -11,21 +11,21 @@
 
 namespace opaline::app::viewer {
 
-/// Writes what the window shows: picture, scene, film. Its functions throw Error where that fails,
-/// and return a sentence where something was done.
+/// Writes what the window shows: picture, scene, film. Its functions throw Error on failure, and
+/// return a sentence where something was done.
 class Saver {
  public:
   explicit Saver(Renderer& renderer) : renderer_(renderer) {}
 
-  /// Of that many pixels, where the session says, no frame being under way; a file that was not
-  /// confirmed stays, and the next free name is taken. Where a film
-  /// is wanted, from now on step() makes it: the motion once, at 30 frames a second.
+  /// Saves at that size, where the session says. No frame may be under way. An existing file stays
+  /// unless replacing it was confirmed; the next free name is used instead. A film is only begun:
+  /// step() then makes it, the motion once at 30 frames a second.
   std::optional<std::string> save(Save wanted, const Session& session, int width, int height);
 
   bool filming() const { return film_.has_value(); }
   /// In [0, 1].
   double progress() const { return film_ ? film_->progress().share() : 0; }
-  /// One frame more, no frame being under way; the sentence with the last one.
+  /// Makes one more frame; no other may be under way. Returns a sentence with the last one.
   std::optional<std::string> step();
   void cancelFilm() { film_.reset(); }
 
