@@ -89,9 +89,8 @@ class CommandLine {
   std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
-  std::map<std::string, std::string> synonyms_;  ///< the option for each older name
-  std::map<std::string, std::string>
-      standards_;  ///< the default for each option whose value may be left out
+  std::map<std::string, std::string> synonyms_;   ///< the option for each older name
+  std::map<std::string, std::string> standards_;  ///< the default for an option without a value
   std::vector<std::string> notes_;
   const bool* json_ = nullptr;
   const bool* quiet_ = nullptr;

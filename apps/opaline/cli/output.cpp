@@ -38,8 +38,7 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
 
 void guardStandardStreams() {
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ,
-              SIG_IGN);  // a file that may not grow fails like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow then fails as on a full disk
   for (int stream = 0; stream < 3; ++stream) {
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
       // A closed standard output is opened so that it cannot be written: lost output is then

@@ -15,8 +15,7 @@
 
 namespace opaline::app {
 
-const Choices<Transport>&
-halfSpaceTransports();  ///< transports that a profile describes completely
+const Choices<Transport>& halfSpaceTransports();  ///< those that a profile fully describes
 
 /// The defaults, overridden by the [render] table of a scene file.
 RenderOptions optionsOf(const SceneFileSettings& settings);

@@ -17,9 +17,8 @@ namespace opaline::app {
 struct ScalingOrder {
   Scene scene;
   int edgePixels = 512;
-  int mostSurfels =
-      1 << 20;     ///< the largest budget; a sixteenth and a quarter of it are measured too
-  int frames = 5;  ///< of each measurement
+  int mostSurfels = 1 << 20;  ///< the largest budget; others are a sixteenth and a quarter of it
+  int frames = 5;             ///< of each measurement
   std::string device;
   LogCallback log;
   StatusCallback status = statusTaker(true);

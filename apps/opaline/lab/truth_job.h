@@ -57,8 +57,8 @@ class TruthJob {
   State state() const { return state_; }
   /// In [0, 1]; 0 while sources are being found.
   double progress() const { return progress_; }
-  /// The latest, nothing before the first. Of Path there is one after the other, each nearer to the
-  /// truth; one that was handed out stays as it is.
+  /// The latest picture; null before the first. Path makes a series of pictures, each closer to the
+  /// truth. A picture does not change once it has been handed out.
   std::shared_ptr<const TruthPicture> picture() const;
   /// One sentence if the job failed, else empty.
   std::string error() const;

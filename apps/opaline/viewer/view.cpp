@@ -63,7 +63,7 @@ struct ViewCommand {
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
 
-  /// Also refuses what contradicts itself.
+  /// Refuses options that contradict each other, too.
   RenderOptions options(const SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options, settings);
@@ -85,9 +85,9 @@ struct ViewCommand {
   }
 };
 
-/// Large blocks go back to the system when they are freed. By default glibc raises its threshold
-/// for them up to 32 MB, and hundreds of megabytes stay in holes of the heap after some hundred
-/// edits.
+/// Makes large blocks return to the system when they are freed. By default glibc raises its
+/// threshold for them up to 32 MB. Hundreds of megabytes would then stay in holes of the heap after
+/// some hundred edits.
 void returnLargeBlocks() {
 #ifdef __GLIBC__
   constexpr int largeBytes = 1 << 20;
@@ -97,8 +97,8 @@ void returnLargeBlocks() {
 #endif
 }
 
-/// $XDG_CONFIG_HOME/opaline, by default ~/.config/opaline; empty where there is no such folder and
-/// none can be made.
+/// $XDG_CONFIG_HOME/opaline, by default ~/.config/opaline. Empty where the folder neither exists
+/// nor can be made.
 std::filesystem::path configFolder() {
   const char* const config = std::getenv("XDG_CONFIG_HOME");
   const char* const home = std::getenv("HOME");
@@ -128,11 +128,11 @@ void runView(const Arguments& arguments) {
   command.motion.check();
   command.device.limitHostMemory();
   returnLargeBlocks();
-  static_cast<void>(command.options({}));  // before any window
+  static_cast<void>(command.options({}));  // reports errors before any window opens
   const LogCallback log = noteTaker(command.quiet);
   viewer::ViewerOptions options;
   options.source = command.scene;
-  // What was asked for is about the first scene; the next ones are as their files say.
+  // The options apply to the first scene; later ones are shown as their files say.
   options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
     std::exchange(next, {}).prepare(loaded, session);
   };

@@ -21,7 +21,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// Frames that Dear ImGui needs after an event until everything that follows from it is drawn.
+// Frames that Dear ImGui needs after an event until all its effects are drawn.
 constexpr int framesAfterEvent = 3;
 
 RendererOptions forWindows(RendererOptions options) {
@@ -60,7 +60,7 @@ Viewer::~Viewer() = default;
 
 void Viewer::keepState() {
   const auto [width, height] = window_.size();
-  // A window that is minimised, or as large as the screen allows, says nothing.
+  // A minimised or maximised window has no size worth keeping.
   if (width > 0 && height > 0) {
     state_.width = width;
     state_.height = height;
@@ -94,7 +94,7 @@ void Viewer::resize(std::optional<float> diagonalMm) {
   resizing_ = true;
 }
 
-// Asks where that discards what nobody said to discard.
+// Whether the window closes. Asks first if that would lose work.
 bool Viewer::leaves() {
   if (!window_.wantsToClose()) return false;
   const std::optional<std::string> lost = workUnderWay(saver_, truth_);
@@ -118,7 +118,7 @@ bool Viewer::isIdle() const {
          !session_.edits.any() && !stage_.isUnderWay() && !announced_;
 }
 
-// By itself or by the hand.
+// Whether something moves, by itself or by hand.
 bool Viewer::moves() const {
   const bool sliding = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
   return movesItself() || input_.dragging() || sliding;
@@ -129,7 +129,7 @@ void Viewer::sleepUntilNeeded() {
     constexpr double betweenLooks = 0.25;
     Window::wait(truth_.running() || files_.isWaiting() ? betweenLooks : 0);
     awake_ = framesAfterEvent;
-    last_ = Clock::now();  // what slept did not play
+    last_ = Clock::now();  // the animation does not play while the window sleeps
   } else {
     if (stage_.isUnderWay() && !window_.hasInputs()) {
       waitBesideDevice();
@@ -141,8 +141,8 @@ void Viewer::sleepUntilNeeded() {
   if (window_.takeRefresh() || window_.hasInputs()) awake_ = framesAfterEvent;
 }
 
-// Until the picture under way is done, or long enough that the controls are drawn again; drawing
-// them more often would keep the device from it.
+// Waits until the picture under way is done, or long enough that the controls must be drawn again.
+// Drawing them more often would slow the device down.
 void Viewer::waitBesideDevice() const {
   constexpr double betweenLooks = 0.005;
   constexpr std::chrono::milliseconds betweenDrawings(80);
@@ -153,7 +153,7 @@ void Viewer::waitBesideDevice() const {
 
 void Viewer::advance(double elapsed) {
   poke_.advance(elapsed);
-  // What took long did not play: time goes on from what was seen.
+  // After a long frame the animation continues from what was seen.
   constexpr double longest = 0.1;
   playOn(std::min(elapsed, longest), session_);
 }
@@ -200,8 +200,8 @@ void Viewer::drawDialogs() {
   question_.draw();
 }
 
-// What is changed becomes a step of the list once the hand lets go of it; a step back or on is
-// taken at once, but for the model's size, which is loaded first.
+// An edit becomes a step of the list once the user lets go. A step back or forward takes effect at
+// once, except for the model's size, which needs loading first.
 void Viewer::followEdits() {
   const int steps = std::exchange(session_.wantedSteps, 0);
   if (undo_.isEmpty() || ImGui::IsAnyItemActive() || input_.dragging()) return;
@@ -231,15 +231,15 @@ void Viewer::placeBody() {
 
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
-  // A film is of what was there when it began: edits wait for its end.
+  // A film shows the scene as it was when the film began, so edits wait for its end.
   if (!stage_.hasScene() || stage_.isBusy() || saver_.filming()) return;
   if (poke_.step()) session_.edits.picture = true;
   if (area.empty()) return;
   const bool moving = moves();
   const bool resized = area.width != drawn_.width || area.height != drawn_.height;
-  // Every ground is another scene: it is taken up when the mouse lets go.
+  // A new ground means a new scene, so it waits until the mouse lets go.
   if (session_.edits.ground && ImGui::IsAnyItemActive()) return;
-  // What was drawn for speed is drawn well once nothing moves.
+  // A picture drawn for speed is drawn again in full once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
   rough_ = moving;
   drawn_ = area;
@@ -256,7 +256,8 @@ void Viewer::drawPicture() {
   undo_.markSound();
 }
 
-// The scene is prepared anew. Where that fails it has no ground, and the edit is taken back.
+// The scene is prepared again. If that fails, it is left without a ground and the edit is taken
+// back.
 void Viewer::setGround() {
   Scene without = session_.scene;
   removeGround(without);
@@ -265,8 +266,8 @@ void Viewer::setGround() {
   stage_.setScene(session_.scene, without);
 }
 
-// The device had no room for what was edited, for example. What failed for another reason is not
-// tried again by itself.
+// Takes an edit back that cannot be rendered, for example for lack of memory. Other failures are
+// not retried automatically.
 void Viewer::takeBackEdit(std::string_view error) {
   say(error, true);
   session_.edits = {};
@@ -280,7 +281,7 @@ void Viewer::takeFinished() {
   stage_.takeUp();
   if (framesTaken_ == stage_.framesFinished()) return;
   framesTaken_ = stage_.framesFinished();
-  // With a picture of the light that it is for.
+  // The exposure changes together with the picture of the light for which it is meant.
   if (std::exchange(exposing_, false)) exposeByLight(session_);
   history_.add(stage_.lastFrame());
   session_.report = stage_.report();
@@ -298,10 +299,10 @@ void Viewer::present() {
   presenter_.end();
 }
 
-// A sign that stays while one slow picture follows the other, and never comes where they are quick.
+// The sign stays between slow pictures, and does not appear where they are quick.
 void Viewer::showBusiness() {
   constexpr std::chrono::milliseconds soon(100);
-  // Another scene may have come meanwhile, of which nothing is wanted.
+  // A scene loaded meanwhile no longer wants what was announced.
   if (session_.wanted == Save::Nothing && !session_.wantedTruth) announced_ = false;
   if (!stage_.isUnderWay() && !session_.edits.any()) busyShown_ = false;
   if (!stage_.isBusy()) return;

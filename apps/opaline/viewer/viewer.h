@@ -34,17 +34,17 @@
 
 namespace opaline::app::viewer {
 
-/// What a window begins with.
+/// The settings with which a window begins.
 struct ViewerOptions {
   SceneOptions source;
-  Prepare prepare;  ///< of every scene that is opened
+  Prepare prepare;  ///< applied to every scene that is opened
   RendererOptions renderer;
-  std::optional<std::array<int, 2>> size;  ///< of the window; else as it was left
+  std::optional<std::array<int, 2>> size;  ///< of the window; none: as it was left
   std::filesystem::path configFolder;      ///< where the window's state is kept; empty: nowhere
-  std::optional<std::filesystem::path> controls;  ///< gets the places of all controls
+  std::optional<std::filesystem::path> controls;  ///< receives the places of all controls
 };
 
-/// The window: takes input, brings edits to the renderer and its pictures to the screen.
+/// The window: takes input, passes edits to the renderer and shows its pictures.
 class Viewer {
  public:
   explicit Viewer(const ViewerOptions& options);
@@ -52,10 +52,10 @@ class Viewer {
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// Until the window is closed. Throws Error where the device fails.
+  /// Runs until the window is closed. Throws Error where the device fails.
   void run();
 
-  /// Of the last picture, as render reports it; null where there was none.
+  /// The report on the last picture, as render writes it; null where there was none.
   Json report() const;
   std::size_t validationMessages() const { return renderer_.validationMessages(); }
 
@@ -111,10 +111,10 @@ class Viewer {
   Loader loader_;
   FileChooser files_;
   Question question_;
-  bool resizing_ = false;  // what is being loaded is the same model at another size
+  bool resizing_ = false;  // the same model is being loaded at another size
   Session session_;
   UndoList undo_;
-  bool reaching_ = false;  // the session is not yet in the list's present state
+  bool reaching_ = false;  // the session is still on the way to the list's present state
   PictureInput input_;
   Poke poke_;
   SequencePlayer sequence_;
@@ -122,17 +122,17 @@ class Viewer {
   TruthView truth_;
   TimingHistory history_;
 
-  Area drawn_;                   // that the last picture was drawn for
+  Area drawn_;                   // area of the last picture
   bool rough_ = false;           // the last picture was drawn for speed
-  bool exposing_ = false;        // the picture under way is of other light
-  bool busyShown_ = false;       // a sign says that pictures take their time
-  bool announced_ = false;       // a sign says that what is to come will take a moment
+  bool exposing_ = false;        // the picture under way needs a new exposure
+  bool busyShown_ = false;       // a sign says that pictures are slow
+  bool announced_ = false;       // a sign says that the next task takes a moment
   int awake_ = 0;                // frames of the interface to draw before sleeping
-  std::size_t framesTaken_ = 0;  // of the stage's, into history_
+  std::size_t framesTaken_ = 0;  // of the stage's, in history_
   std::size_t inputsDrawn_ = 0;  // uses of keys, buttons and wheel
   Clock::time_point last_ = Clock::now();
-  bool mayLeave_ = false;          // whatever is under way
-  std::optional<Caption> notice_;  // until the next key or press of the mouse
+  bool mayLeave_ = false;          // even if work is under way
+  std::optional<Caption> notice_;  // until the next key or mouse press
 };
 
 }  // namespace opaline::app::viewer

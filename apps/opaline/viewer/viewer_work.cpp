@@ -10,7 +10,7 @@
 #include "viewer/files/folder_listing.h"
 #include "viewer/session/work_under_way.h"
 
-// What the window opens, saves and has computed, and the questions that go before it.
+// Opening, saving and computing on the user's behalf, and the questions before it.
 namespace opaline::app::viewer {
 
 void Viewer::openFile(const std::filesystem::path& file) {
@@ -61,7 +61,7 @@ void Viewer::takeFile(FileAnswer answer) {
                     : answer.use == FileUse::SaveExr   ? Save::Exr
                     : answer.use == FileUse::SaveScene ? Save::Scene
                                                        : Save::Film;
-  // In the window's own folder the name alone says where.
+  // For a file in the current folder the name alone is enough.
   if (answer.file.parent_path() == std::filesystem::current_path(error)) {
     answer.file = answer.file.filename();
   }
@@ -70,7 +70,7 @@ void Viewer::takeFile(FileAnswer answer) {
 }
 
 void Viewer::takeLoaded() {
-  // A film is of the scene it was begun with: another waits for its end.
+  // A film needs the scene it was begun with, so a new one waits for its end.
   if (dashboard_.area().empty() || stage_.isBusy() || saver_.filming()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
@@ -107,7 +107,8 @@ void Viewer::takeLoaded() {
   }
 }
 
-// True a second time, when the window has been drawn with a sign that it will take a moment.
+// Returns true on the second call, after the window was drawn with a sign that the task takes a
+// moment.
 bool Viewer::announce() {
   announced_ = !announced_;
   return !announced_;

@@ -18,7 +18,7 @@ std::string within;
 Sections sections;
 
 // Leaves room for the name to the right of the next control. A name that would leave the control
-// too little goes above it; then it is hidden from the control's own label, which this returns.
+// too little goes above it. The returned label of the control hides the name then.
 std::string leaveRoomFor(const char* name) {
   const float line = ImGui::GetContentRegionAvail().x;
   const float usual = 0.38F * line;
@@ -45,7 +45,7 @@ bool slide(const char* name, ImGuiDataType type, Number& value, Number low, Numb
                           wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   note(name);
   tip(about);
-  // A number that was typed may lie outside.
+  // A typed number may lie outside the range.
   if (changed) value = std::isfinite(value) ? std::clamp(value, low, high) : low;
   return changed;
 }
@@ -73,7 +73,8 @@ void tip(const char* text) {
       !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     return;
   }
-  // Beneath what it is about, or above; never over it, nor where the mouse is on its way to.
+  // The tooltip goes below its control, or above. It covers neither the control nor the way of the
+  // mouse.
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   const float gap = 0.3F * ImGui::GetFontSize();
@@ -177,7 +178,7 @@ bool integer(const char* name, int& value, int low, int high, const char* about)
 }
 
 bool typed(const char* name, int& value, int low, int high, const char* about) {
-  static int held = 0;  // of the one field that is typed in
+  static int held = 0;  // value of the one field that is being typed in
   const std::string label = leaveRoomFor(name);
   int now = value;
   ImGui::InputInt(label.c_str(), &now, 0, 0);

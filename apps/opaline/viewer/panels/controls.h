@@ -9,8 +9,8 @@
 #include "cli/values.h"
 #include "opaline/types.h"
 
-/// The controls that panels are made of: Dear ImGui's, each with a tooltip, and each noting where
-/// it stands, so that the window can be driven from outside.
+/// The controls of panels: Dear ImGui's, each with a tooltip. Each notes its place, so that the
+/// window can be driven from outside.
 namespace opaline::app::viewer::controls {
 
 struct Place {
@@ -21,19 +21,19 @@ struct Place {
   float height = 0;
 };
 
-/// Begins a frame's list of places.
+/// Begins the list of places for a frame.
 void beginFrame();
-/// The controls that could be seen since.
+/// The controls that were visible since then.
 const std::vector<Place>& places();
 
-/// A section that folds, and is open at first where it says so, unless setOpenSections() said
-/// otherwise; its name stands before the names of its controls.
+/// A section that folds. `open` says whether it starts open, unless setOpenSections() decided. Its
+/// name is the prefix of its controls' names.
 bool section(const char* name, bool open);
 using Sections = std::map<std::string, bool>;  ///< by name, whether it is open
 Sections openSections();
 void setOpenSections(const Sections& sections);
 
-/// What stands in no section: its name stands before the names of the controls while it lives.
+/// For controls outside sections: its name is the prefix of the controls' names while it exists.
 class Group {
  public:
   explicit Group(const char* name);
@@ -45,34 +45,34 @@ class Group {
   std::string before_;
 };
 
-/// What the last control is for; shown beside it while the mouse rests on it.
+/// What the last control is for, as a tooltip.
 void tip(const char* text);
 
-/// Lines of any script, as long as they are.
+/// Text in any script, in lines of any length.
 void text(const std::string& shown);
 
-/// Goes on in the same line where it has room for a button of that name.
+/// Continues the line if it has room for a button of that name.
 void sameLineFor(const char* next);
 
 bool button(const char* name, const char* about);
 bool checkbox(const char* name, bool& on, const char* about);
-/// `format` as of printf, with the unit. Logarithmic where `low` > 0 and `high` ≥ 1000 `low`.
+/// `format` is as for printf, with the unit. Logarithmic where `low` > 0 and `high` ≥ 1000 `low`.
 bool slider(const char* name, float& value, float low, float high, const char* format,
             const char* about);
 bool slider(const char* name, double& value, double low, double high, const char* format,
             const char* about);
-/// A length in the unit that suits it.
+/// A length in a suitable unit.
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about);
 /// An exposure.
 bool stops(const char* name, float& value, float low, float high, const char* about);
 bool integer(const char* name, int& value, int low, int high, const char* about);
-/// A number that is typed, taken up with Enter or where the field is left.
+/// A typed number. It takes effect on Enter or when the field is left.
 bool typed(const char* name, int& value, int low, int high, const char* about);
-/// Light: hue and strength apart, any strength.
+/// Light of any strength, with separate controls for hue and strength.
 bool light(const char* name, Rgb& value, const char* about);
 /// A color whose channels are shares, 0 to 1.
 bool color(const char* name, Rgb& value, const char* about);
-/// A name out of some.
+/// One of several names.
 bool choice(const char* name, int& chosen, const std::vector<std::string>& names,
             const char* about);
 
@@ -89,7 +89,7 @@ bool choice(const char* name, T& value, const Choices<T>& choices, const char* a
   return true;
 }
 
-/// Notes the control that was drawn last under a name.
+/// Records the place of the control drawn last under a name.
 void note(const char* name);
 
 }  // namespace opaline::app::viewer::controls

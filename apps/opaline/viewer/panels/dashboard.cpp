@@ -22,7 +22,7 @@ void Dashboard::layOut(const Session& session) {
   const int panel = panels_ ? std::min(static_cast<int>(24 * ImGui::GetFontSize()), width / 2) : 0;
   right_ = width - panel;
   area_ = {0, 0, right_, height};
-  // What is seen is what is saved.
+  // The picture is shown in the shape in which it is saved.
   if (session.pictureSize && !area_.empty()) {
     area_ = fitted(area_, (*session.pictureSize)[0], (*session.pictureSize)[1]);
   }
@@ -30,7 +30,7 @@ void Dashboard::layOut(const Session& session) {
 
 void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene,
                         bool filming) {
-  // A field that was left in the frame before wants no more.
+  // A field that lost the focus in the previous frame needs no more keys.
   const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) keyList_ = false;
   for (const KeyPress& press : presses) {
@@ -78,7 +78,7 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos({static_cast<float>(right_), 0});
   ImGui::SetNextWindowSize({io.DisplaySize.x - static_cast<float>(right_), io.DisplaySize.y});
-  // Without NoNavInputs, Tab would also go from one control to the next.
+  // Without NoNavInputs, Tab would also step through the controls.
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                      ImGuiWindowFlags_NoNavInputs;

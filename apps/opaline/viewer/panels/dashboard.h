@@ -14,28 +14,28 @@
 
 namespace opaline::app::viewer {
 
-/// What stands beside the picture and over it, and the keys of the window, by Dear ImGui.
+/// Everything beside and over the picture, and the window's keys, by Dear ImGui.
 class Dashboard {
  public:
   explicit Dashboard(bool panels) : panels_(panels) {}
 
-  /// Whether the panels are to be seen.
+  /// Whether the panels are visible.
   bool panels() const { return panels_; }
-  /// What they leave to the picture.
+  /// The area that they leave to the picture.
   const Area& area() const { return area_; }
 
-  /// First in a frame: where everything stands.
+  /// To be called first in a frame: places everything.
   void layOut(const Session& session);
-  /// The keys that were pressed; those of a scene only where there is one, and those of its picture
-  /// only while no film is made of it. None while a number is being typed.
+  /// Handles the pressed keys, but none while a number is being typed. Keys of a scene need a
+  /// scene, and keys of its picture are ignored while a film is made of it.
   void useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene, bool filming);
   void drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
                   const Saver& saver, const UndoList& undo) const;
-  /// What belongs to the picture that is shown: scale bar, handles and divider, or the figures of
-  /// the truth; and the captions.
+  /// Draws what belongs to the picture: scale bar, handles and divider, or the figures of the
+  /// truth; and the captions.
   void drawOverPicture(const Session& session, const TruthView& truth, const LightHandles& handles,
                        const std::vector<Caption>& captions) const;
-  /// The list of keys, while it was asked for.
+  /// Draws the list of keys, if the user asked for it.
   void drawKeyList() const;
 
  private:

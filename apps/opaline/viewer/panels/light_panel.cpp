@@ -24,14 +24,14 @@ namespace {
 constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
 constexpr float leastConeDegrees = 1;
 
-// Whether the renderer takes the scene with one more.
+// Whether the renderer accepts the scene with one more light of this kind.
 template <typename Light>
 bool hasRoomFor(const Light& light, Lighting lighting, std::vector<Light> Lighting::*lights) {
   (lighting.*lights).push_back(light);
   return complaintAbout(lighting).empty();
 }
 
-// A direction as turn about the vertical, from +z towards +x, and height above the horizon.
+// A direction as an angle about the vertical, from +z towards +x, and a height above the horizon.
 bool drawDirection(Vec3& direction) {
   float turn = std::atan2(direction[0], direction[2]) * toDegrees;
   float height = std::asin(std::clamp(direction[1], -1.0F, 1.0F)) * toDegrees;
@@ -117,7 +117,7 @@ bool drawVisible(bool& on) {
   return controls::checkbox("visible", on, "Seen in the picture itself, not only in reflections.");
 }
 
-// Edges and turns are dragged in the picture.
+// A rectangle's edges and its rotation are dragged in the picture.
 bool drawShape(RectangleLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
   float size = 1;
@@ -155,7 +155,7 @@ bool drawShape(TubeLight& light, float diagonalMm) {
   return drawVisible(light.visible) || changed;
 }
 
-// A light that makes no sense is not taken.
+// Draws an area light. An edit that makes an impossible light is dropped.
 bool drawArea(AreaLight& light, float diagonalMm) {
   AreaLight edited = light;
   const bool changed =
@@ -175,7 +175,7 @@ void drawList(const Lighting& lighting, int& chosen) {
   chosen = std::min(chosen, count - 1);
 }
 
-// Adds what the button of that name is for, and selects it.
+// A button that adds the light and selects it.
 template <typename Light>
 bool drawAdd(LightKind kind, const char* about, const Light& light,
              std::vector<Light> Lighting::*lights, Session& session, const char* shape = nullptr) {
@@ -190,7 +190,7 @@ bool drawAdd(LightKind kind, const char* about, const Light& light,
   return true;
 }
 
-// Behind the scene at the side, as bright on it as the default lights.
+// A place behind the scene and to the side, from which a light is as bright as the default ones.
 Vec3 placeBehind(const Session& session) {
   const Vec3& target = session.scene.camera.targetMm;
   const float d = session.diagonalMm;
@@ -214,7 +214,7 @@ bool drawAdding(Session& session) {
   const auto addArea = [&](const char* name, const char* about, const AreaLight& light) {
     changed |= drawAdd(LightKind::Area, about, light, &Lighting::areas, session, name);
   };
-  // As bright in the middle of the scene as the others.
+  // As bright in the middle of the scene as the other new lights.
   const float d = session.diagonalMm;
   const Rgb radiance{14, 14, 14};
   const Vec3 u{0.16F * d, 0, 0.2F * d};

@@ -67,7 +67,7 @@ bool drawOpaque(OpaqueMaterial& material) {
   return changed;
 }
 
-// The medium by what is seen of it. The widest index of refraction that the inversion knows is 1.6.
+// Edits the medium by its look. The inversion supports indices of refraction up to 1.6.
 bool drawAppearance(Medium& medium) {
   Appearance appearance{.g = medium.g, .eta = std::min(medium.eta, 1.6)};
   Rgb color = colorOf(medium);
@@ -107,7 +107,7 @@ bool drawSurface(std::optional<TranslucentSurface>& surface, float standard) {
   return changed;
 }
 
-// As a scene file has it: numbers beside the model's own material.
+// Notes changed numbers as a scene file has them, beside the model's own material.
 void noteNumbers(Session& session) {
   const Object& object = session.scene.objects[session.object];
   MaterialNumbers& numbers = session.source.numbersOfObject[object.name];

@@ -21,7 +21,7 @@ namespace {
 
 struct Chip {
   Medium medium;
-  ImVec4 color;  ///< what a thick piece of it reflects of white light, sRGB
+  ImVec4 color;  ///< reflected colour of a thick piece in white light, sRGB
 };
 
 ImVec4 chipColorOf(const Medium& medium) {
@@ -49,7 +49,7 @@ bool isOf(const Chip& chip, const Medium& medium) {
   return chip.medium == medium;
 }
 
-// About the control that was drawn last.
+// Draws a ring around the control drawn last.
 void drawRing() {
   const float gap = 0.14F * ImGui::GetFontSize();
   const ImVec2 low = ImGui::GetItemRectMin();
@@ -94,7 +94,7 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, double low
   return changed;
 }
 
-// Taken up when the mouse lets go: every size is another scene.
+// The size takes effect when the mouse lets go, since every size means loading the scene anew.
 void drawBodySize(Session& session) {
   float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
   if (controls::length("size", mm, 1, 10'000,

@@ -77,7 +77,7 @@ void drawMethodPanel(Session& session) {
   changed |=
       controls::checkbox("compare with the paper", session.divided,
                          "Shows the paper's method on the left of a divider that you can drag.");
-  // What the view shows goes with what there is to show.
+  // Which indices can be shown depends on the method.
   const bool shown = session.surfelIndex == SurfelIndex::Cluster
                          ? options.transport == Transport::Boundary
                          : options.sum != Sum::Pattern;

@@ -27,7 +27,7 @@ const Choices<DeformerKind>& kinds() {
   return table;
 }
 
-/// What is of use, within what is allowed.
+/// The useful part of the range that is allowed.
 struct Limits {
   float low;
   float high;

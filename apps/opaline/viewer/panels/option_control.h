@@ -6,7 +6,7 @@
 
 namespace opaline::app::viewer {
 
-/// A control for an option of the picture, which takes what the table allows. True where it was
+/// A control for an option of the picture, limited to what the table allows. True if the option
 /// changed.
 bool drawOption(const char* name, RenderOptions& options, std::string_view key, const char* about);
 

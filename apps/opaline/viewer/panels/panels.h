@@ -7,10 +7,10 @@
 
 namespace opaline::app::viewer {
 
-// What can be seen and changed beside the picture, one section each. They draw with Dear ImGui's
-// functions, change the session and note in its edits what they changed.
+// The panels beside the picture, one section each. They draw with Dear ImGui, change the session
+// and note in its edits what they changed.
 
-/// For panels of one object: which it is, where there are several.
+/// For panels of one object: lets the user choose it, where there are several.
 void chooseObject(Session& session);
 
 void drawMediumPanel(Session& session);

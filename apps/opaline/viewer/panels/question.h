@@ -9,22 +9,22 @@
 
 namespace opaline::app::viewer {
 
-/// Asks before something is lost, over everything else of the window.
+/// Asks before something is lost, above everything else in the window.
 class Question {
  public:
   struct Text {
     std::string question;
-    std::string yes;  ///< what the button does
+    std::string yes;  ///< label of the button that does it
     std::string no;
   };
 
-  /// `whenYes` is called where that is the answer. Another question that is open is taken back.
+  /// Calls `whenYes` if the answer is yes. An earlier question that is still open is withdrawn.
   void ask(Text text, std::function<void()> whenYes);
   bool isOpen() const { return text_.has_value(); }
 
-  /// All keys are the question's while it is open: Enter is yes, Escape is no.
+  /// The question takes all keys while it is open: Enter is yes, Escape is no.
   void useKeys(const std::vector<KeyPress>& presses);
-  /// Draws it with Dear ImGui's functions.
+  /// Draws it with Dear ImGui.
   void draw();
 
  private:

@@ -13,7 +13,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// Few enough to be drawn as rectangles.
+// Few enough cells to be drawn as rectangles.
 constexpr int cellsOfEdge = 20;
 using Cells = std::array<ImU32, std::size_t{cellsOfEdge} * cellsOfEdge>;
 
@@ -45,7 +45,7 @@ Cells cellsOf(const TexturePixels& pixels) {
   return cells;
 }
 
-// Of textures that are still there.
+// The cells of a texture, kept as long as the texture exists.
 const Cells& known(const std::shared_ptr<const TexturePixels>& pixels) {
   static std::map<std::weak_ptr<const TexturePixels>, Cells, std::owner_less<>> all;
   const auto found = all.find(pixels);

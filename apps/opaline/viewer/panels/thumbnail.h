@@ -6,7 +6,7 @@
 
 namespace opaline::app::viewer {
 
-/// Draws a texture small, as its file has its colours, with the tooltip on it.
+/// Draws a small version of a texture in its file's colours, with a tooltip.
 void drawThumbnail(const std::shared_ptr<const TexturePixels>& pixels, const char* about);
 
 }  // namespace opaline::app::viewer

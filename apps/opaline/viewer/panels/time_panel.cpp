@@ -9,7 +9,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// Colours that differ for neighbours, by the golden angle.
+// Distinct colours for neighbouring passes, by the golden angle.
 ImU32 colorOf(std::size_t pass) {
   const float turns = 0.381966F * static_cast<float>(pass);
   const float hue = turns - static_cast<float>(static_cast<int>(turns));

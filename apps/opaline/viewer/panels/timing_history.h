@@ -10,7 +10,7 @@
 
 namespace opaline::app::viewer {
 
-/// GPU times of the passes of the last frames.
+/// GPU times of the passes in the last frames.
 class TimingHistory {
  public:
   static constexpr std::size_t kept = 120;
@@ -19,12 +19,12 @@ class TimingHistory {
   void clear();
 
   std::size_t frames() const { return count_; }
-  /// In the order they first ran.
+  /// In the order in which they first ran.
   const std::vector<std::string>& passes() const { return names_; }
-  /// Of a frame, 0 the oldest: milliseconds of every pass, 0 where it did not run.
+  /// Milliseconds of every pass in a frame, 0 being the oldest; 0 for a pass that did not run.
   std::span<const double> milliseconds(std::size_t frame) const;
   double largestTotal() const;
-  /// Of one pass over the frames that are kept.
+  /// The median of one pass over the frames kept.
   double median(std::size_t pass) const;
   double medianTotal() const;
 

@@ -16,7 +16,7 @@ struct Variable {
   bool operator==(const Variable&) const = default;
 };
 
-// Groups have up to four members: of a million surfels the leaves are there.
+// Groups have up to four members, so this level has the leaves of a million surfels.
 constexpr int deepestLevel = 10;
 
 Choices<Variable> shownVariables(const RenderOptions& options) {
@@ -65,7 +65,7 @@ void drawViewPanel(Session& session) {
   if (!controls::section("View", false)) return;
   bool changed = chooseVariable(session);
   RenderOptions& options = session.options;
-  // What follows is done as the picture is shown, so that none has to be made anew.
+  // These settings only change how the picture is shown; it need not be rendered again.
   if (controls::stops("exposure", session.tone.exposureStops, -8, 8,
                       "Twice the light for every stop. Keys: O, X.")) {
     session.exposesByLight = false;

@@ -30,7 +30,7 @@ void order(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageL
                        VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
-/// What the host fills and the device reads.
+/// A buffer that the host fills and the device reads.
 struct Staging {
   explicit Staging(VkDevice owner) : device(owner) {}
   ~Staging() {
@@ -69,7 +69,7 @@ void HostPicture::set(const Image& image) {
     clear();
     makeImage(extent);
   }
-  // Light times coverage, as the renderer's own pictures are.
+  // Light times coverage, as in the renderer's own pictures.
   std::vector<float> texels = image.rgba;
   for (std::size_t i = 0; i < texels.size(); i += 4) {
     for (std::size_t c = 0; c < 3; ++c) texels[i + c] *= texels[i + 3];

@@ -9,8 +9,8 @@
 
 namespace opaline::app::viewer {
 
-/// A picture from the host on the device, to be drawn by PicturePainter. Waits for the device when
-/// it is set, so not for every frame.
+/// A picture that is copied from the host to the device, for PicturePainter to draw. Setting it
+/// waits for the device, so it is not meant for every frame.
 class HostPicture {
  public:
   explicit HostPicture(const VulkanDevice& device) : device_(device) {}

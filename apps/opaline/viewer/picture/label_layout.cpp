@@ -17,7 +17,7 @@ Box LabelLayout::within(Box box) const {
 
 Box LabelLayout::place(const Box& wanted) {
   Box box = within(wanted);
-  // Every step goes above one that was taken, so it ends.
+  // Every step moves the box above a taken one, so the loop ends.
   for (auto in = taken_.begin(); in != taken_.end();) {
     if (!box.meets(*in)) {
       ++in;

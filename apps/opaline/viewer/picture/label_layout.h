@@ -4,7 +4,7 @@
 
 namespace opaline::app::viewer {
 
-/// A rectangle of the window, pixels.
+/// A rectangle of the window, in pixels.
 struct Box {
   float x = 0;
   float y = 0;
@@ -14,16 +14,16 @@ struct Box {
   bool meets(const Box& other) const;
 };
 
-/// Keeps what is written over the picture apart.
+/// Keeps labels over the picture apart.
 class LabelLayout {
  public:
   explicit LabelLayout(const Box& bounds) : bounds_(bounds) {}
 
-  /// Something stands there already.
+  /// Reserves a place that is used already.
   void take(const Box& box) { taken_.push_back(box); }
 
-  /// Within the bounds, as near as can be above where it is wanted, on nothing that was taken;
-  /// takes that place. Where there is no room left it stays within the bounds.
+  /// Takes a place within the bounds that overlaps nothing: the wanted one, or the nearest above
+  /// it. Where there is no room left, it only stays within the bounds.
   Box place(const Box& wanted);
 
  private:

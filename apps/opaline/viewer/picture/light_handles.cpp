@@ -14,12 +14,13 @@ namespace {
 
 constexpr float reachPixels = 14;
 
-// So large that the handles stand beside the body and within the picture.
+// The sphere is large enough that handles stand beside the body, and small enough that they are in
+// the picture.
 float sphereMm(const Session& session, const Projection& projection) {
   return std::min(0.55F * session.diagonalMm, 0.24F * projection.view().distanceMm);
 }
 
-// On that sphere.
+// A place on that sphere.
 glm::vec3 placeOf(const Session& session, const Projection& projection,
                   const DirectionalLight& light) {
   return toGlm(session.scene.camera.targetMm) +
@@ -41,7 +42,7 @@ glm::vec3 placeOf(const Session& session, const Projection& projection, const Li
   return middleOfArea(lighting.areas[entry.index]);
 }
 
-// On its axis, beside what it shines on.
+// A place on the light's axis, beside the object that it lights.
 glm::vec3 aimOf(const Session& session, const SpotLight& light) {
   const glm::vec3 from = toGlm(light.positionMm);
   const glm::vec3 axis = glm::normalize(toGlm(light.direction));
@@ -73,7 +74,7 @@ ImU32 colorOf(const Rgb& power, float alpha) {
                                    std::sqrt(power[2] / most), alpha));
 }
 
-// Where a handle on the sphere about the target is dragged to, as a direction from there.
+// The direction of a handle that is dragged on the sphere about the target.
 glm::vec3 onSphere(const glm::vec3& offsetInRadii, bool inFront, const glm::vec3& ahead) {
   float across = glm::length(offsetInRadii);
   if (!(across > 1e-6F)) return inFront ? -ahead : ahead;
@@ -117,7 +118,8 @@ void drawSun(const DirectionalLight& sun, const Session& session, const Projecti
     list.AddLine({place->x, place->y}, {target->x, target->y}, colorOf(sun.irradiance, 0.25F), 1);
 }
 
-// What a light without a place of its own is joined to by a line, and a spot light aims at.
+// The other end of a handle's line: the light's own place for an aim or a normal, and the camera's
+// target for a directional light.
 std::optional<glm::vec3> endOfLine(const Session& session, const LightHandle& handle,
                                    const LightEntry& entry) {
   if (handle.part == LightPart::Aim)
@@ -160,7 +162,7 @@ bool LightHandles::drag(Session& session, const Projection& projection,
   const ViewFrame& view = projection.view();
   const glm::vec3 target = toGlm(session.scene.camera.targetMm);
   const glm::vec3 about = entry.kind == LightKind::Directional ? target : grabbed_->placeMm;
-  // Where the mouse is in the plane through that, parallel to the picture.
+  // The place of the mouse in the plane through the handle, parallel to the picture.
   const Ray ray = projection.through(pixel);
   const float along = glm::dot(ray.direction, view.ahead);
   const float depth = glm::dot(about - ray.origin, view.ahead);
@@ -216,7 +218,7 @@ void LightHandles::draw(const Session& session, const Projection& projection,
     const auto from = endOfLine(session, handle, entry);
     if (const auto end = from ? projection.toWindow(*from) : std::nullopt)
       list.AddLine(middle, {end->x, end->y}, colorOf(power, behind ? 0.25F : 0.5F), 1);
-    // Behind the body a ring, before it a disc.
+    // A ring if it is behind the body, a disc if it is in front.
     if (behind || !main) {
       list.AddCircleFilled(middle, radius, IM_COL32(20, 20, 22, 160));
       list.AddCircle(middle, radius, colorOf(power, 1), 0, 2.5F);

@@ -12,7 +12,7 @@
 
 namespace opaline::app::viewer {
 
-/// What of a light one holds by a handle.
+/// The part of a light that a handle moves.
 enum class LightPart { Place, Aim, Grip };
 
 struct LightHandle {
@@ -22,19 +22,19 @@ struct LightHandle {
   AreaGrip::Kind grip = AreaGrip::Kind::U;
 };
 
-/// Lights as handles in the picture. A directional light stands on a sphere about the camera's
-/// target and is dragged along it, past its rim to the other side; other lights stand where they
-/// are, and are dragged parallel to the picture. A spot light that is selected has another handle
-/// where it aims, and an area light some that turn and resize it. Suns of the environment are
-/// marked on the sphere, and turn with the environment.
+/// Handles for lights in the picture. A directional light is on a sphere about the camera's target.
+/// It is dragged along the sphere, and past its rim to the far side. Other lights are at their own
+/// places and are dragged parallel to the picture. A selected spot light has another handle at the
+/// place that it aims at, and a selected area light has some that turn and resize it. Suns of the
+/// environment are marked on the sphere and turn with the environment.
 class LightHandles {
  public:
-  /// The handle that lies there.
+  /// The handle at that pixel; none where there is none.
   std::optional<LightHandle> at(const Session& session, const Projection& projection,
                                 const glm::vec2& pixel) const;
 
   void grab(const Session& session, const Projection& projection, const LightHandle& handle);
-  /// Moves the light that was grabbed; true where it did.
+  /// Moves the grabbed light. True if it moved.
   bool drag(Session& session, const Projection& projection, const glm::vec2& pixel) const;
   void release() { grabbed_.reset(); }
 
@@ -42,7 +42,7 @@ class LightHandles {
 
  private:
   std::optional<LightHandle> grabbed_;
-  bool inFront_ = true;  // of the target, when it was grabbed
+  bool inFront_ = true;  // whether it was in front of the target when grabbed
 };
 
 }  // namespace opaline::app::viewer

@@ -21,7 +21,7 @@ void orbit(Camera& camera, float yaw, float pitch) {
   const glm::vec3 up = glm::normalize(toGlm(camera.up));
   const glm::vec3 from = toGlm(camera.positionMm) - toGlm(camera.targetMm);
   const float distance = glm::length(from);
-  // Spherical coordinates about the camera's own up.
+  // Works in spherical coordinates about the camera's up.
   const glm::vec3 across = ViewFrame(camera).right;
   const glm::vec3 ahead = glm::cross(across, up);  // horizontal, away from the camera
   constexpr float highest = 1.55F;

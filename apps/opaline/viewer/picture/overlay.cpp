@@ -23,7 +23,7 @@ constexpr ImU32 shadow = IM_COL32(0, 0, 0, 170);
 constexpr std::array<ImU32, 3> channelInk{IM_COL32(235, 96, 84, 255), IM_COL32(110, 200, 96, 255),
                                           IM_COL32(96, 140, 245, 255)};
 
-// Lines no longer than `width`, where that is given.
+// Wraps lines at `width`, if it is given.
 void write(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text,
            float width = 0) {
   const auto add = [&](const ImVec2& at, ImU32 tint) {
@@ -33,7 +33,7 @@ void write(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string
   add(place, color);
 }
 
-// 1, 2 or 5 times a power of ten, at most `limit`.
+// The largest of 1, 2 or 5 times a power of ten that is at most `limit`.
 double roundBelow(double limit) {
   const double power = std::pow(10, std::floor(std::log10(limit)));
   for (const double step : {5.0, 2.0}) {
@@ -48,7 +48,7 @@ void drawBar(ImDrawList& list, const ImVec2& from, float pixels, ImU32 color, fl
   list.AddRectFilled({from.x, from.y - thick / 2}, {from.x + pixels, from.y + thick / 2}, color);
 }
 
-// Behind what has to be read on any picture.
+// A dark background that keeps text readable on any picture.
 void drawPlate(ImDrawList& list, const Box& text) {
   const float rim = 0.2F * ImGui::GetFontSize();
   list.AddRectFilled({text.x - rim, text.y - rim},

@@ -10,31 +10,31 @@
 
 namespace opaline::app::viewer {
 
-// What stands over the picture.
+// Elements drawn over the picture.
 
-/// Millimetres at the depth of the camera's target, and beneath, in red, green and blue, how far
-/// light travels in the medium before it is deflected and before it fades.
+/// A scale in millimetres at the depth of the camera's target. Below it, in red, green and blue,
+/// how far light travels in the medium before it is deflected and before it fades.
 void drawScaleBar(const Session& session, const Projection& projection, const Area& area,
                   LabelLayout& labels);
 
-/// The divider with the names of the methods on its sides, where there is room for them.
+/// The divider with the names of the methods on its sides, if there is room for them.
 void drawDivider(const Session& session, const Area& area, LabelLayout& labels);
 
-/// At the bottom left of a picture.
+/// A text at the bottom left of a picture.
 void drawLegend(const std::string& text, const Area& area, LabelLayout& labels);
 
-/// The window's keys, over everything, until the next key or click.
+/// The list of the window's keys, over everything, until the next key or click.
 void drawKeys(const Area& area);
 
-/// What the window has to say.
+/// A message of the window.
 struct Caption {
   std::string text;
   bool isError = false;
 };
 
-/// At the top left, one below the other; an error in a colour of its own.
+/// Shows captions at the top left, one below the other; errors have their own colour.
 void drawCaptions(const std::vector<Caption>& captions, const Area& area);
-/// What they take of the picture.
+/// The area that they cover.
 Box boxOf(const std::vector<Caption>& captions, const Area& area);
 
 }  // namespace opaline::app::viewer

@@ -101,7 +101,7 @@ void PictureInput::useMouse(Session& session, const Area& area, Poke& poke) {
     drag_ = Drag::None;
     handles_.release();
   }
-  // How the mouse came to where it was pressed is no part of the drag.
+  // Movement before the button was pressed is not part of the drag.
   if (drag_ != Drag::None) {
     go(session, projection, area, poke);
   } else if (over) {

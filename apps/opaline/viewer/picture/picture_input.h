@@ -9,15 +9,15 @@
 
 namespace opaline::app::viewer {
 
-/// What mouse and keys do to the picture, by Dear ImGui's input of this frame.
+/// What mouse and keys do to the picture, using Dear ImGui's input of this frame.
 class PictureInput {
  public:
-  /// Mouse over the picture's area.
+  /// Handles the mouse over the picture's area.
   void useMouse(Session& session, const Area& area, Poke& poke);
-  /// Keys of camera, playback and view.
+  /// Handles the keys of camera, playback and view.
   static void useKey(const KeyPress& press, Session& session, const Area& area);
 
-  /// Whether something is being dragged, so that pictures should come fast.
+  /// Whether something is being dragged, so that pictures must come fast.
   bool dragging() const { return drag_ != Drag::None; }
   const LightHandles& handles() const { return handles_; }
 

@@ -7,7 +7,7 @@
 
 namespace opaline::app::viewer {
 
-/// Pixels of the window, from its top left corner.
+/// An area of the window in pixels, from its top left corner.
 struct Area {
   int x = 0;
   int y = 0;
@@ -22,10 +22,10 @@ struct Area {
   }
 };
 
-/// The largest area of a picture's shape within another.
+/// The largest area with a picture's proportions within another.
 Area fitted(const Area& area, int width, int height);
 
-/// Draws pictures of light into the window: exposure, tone curve and sRGB as toneMap.
+/// Draws linear pictures into the window, with exposure, tone curve and sRGB as in toneMap.
 class PicturePainter {
  public:
   PicturePainter(const VulkanDevice& device, VkRenderPass renderPass);
@@ -33,8 +33,8 @@ class PicturePainter {
   PicturePainter(const PicturePainter&) = delete;
   PicturePainter& operator=(const PicturePainter&) = delete;
 
-  /// `picture` fills `place`, of which only `visible` is drawn; both lie within the window. Tone
-  /// without a background means black.
+  /// Lets `picture` fill `place` but draws only `visible`; both lie within the window. A tone
+  /// without background means black.
   void draw(VkCommandBuffer commands, const DeviceImage& picture, const Area& place,
             const Area& visible, const ToneOptions& tone) const;
 

@@ -30,7 +30,7 @@ void PictureView::drawShown(VkCommandBuffer commands, const Session& session, co
   if (variable && !variable_.empty()) {
     return draw(variable_.shown(), isLight(session.aov) ? session.tone : plain);
   }
-  // For a moment it is of another size than the window has now.
+  // After a resize, the picture briefly has another size than the window.
   if (stage.picture().view != VK_NULL_HANDLE) draw(stage.picture(), session.tone);
 }
 

@@ -11,13 +11,13 @@
 
 namespace opaline::app::viewer {
 
-/// What the picture's area of the window shows: picture, variable, truth or heat map.
+/// What the picture's area shows: picture, variable, truth or heat map.
 class PictureView {
  public:
   PictureView(const VulkanDevice& device, VkRenderPass renderPass)
       : painter_(device, renderPass), variable_(device) {}
 
-  /// Takes up the variable that the stage's last frame brought, if any.
+  /// Takes over the variable from the stage's last frame, if it has one.
   void take(const Stage& stage, const Session& session);
   void draw(VkCommandBuffer commands, const Session& session, const Stage& stage,
             const TruthView& truth, const Area& area) const;
@@ -28,7 +28,7 @@ class PictureView {
 
   PicturePainter painter_;
   HostPicture variable_;
-  Aov variableShown_ = Aov::Radiance;  // what variable_ is of
+  Aov variableShown_ = Aov::Radiance;  // the variable in variable_
 };
 
 }  // namespace opaline::app::viewer

@@ -46,7 +46,7 @@ glm::vec3 within(const std::array<glm::vec3, 3>& corners, float u, float v) {
   return (1 - u - v) * corners[0] + u * corners[1] + v * corners[2];
 }
 
-// Right-handed: along the first edge, across it, outwards.
+// A right-handed frame: along the first edge, across it, outwards.
 glm::mat3 frameOf(const std::array<glm::vec3, 3>& corners) {
   const glm::vec3 along = glm::normalize(corners[1] - corners[0]);
   const glm::vec3 out = glm::normalize(glm::cross(along, corners[2] - corners[0]));
@@ -118,11 +118,11 @@ void Poke::take() {
 
 void Poke::release() {
   held_ = false;
-  wanted_.reset();  // let go before it could be taken hold of
+  wanted_.reset();  // released before the body was taken hold of
 }
 
 void Poke::advance(double seconds) {
-  // What a swing lasts: a longer wait leaves no more of it.
+  // No more than a swing's duration is owed, however long the wait.
   constexpr double longest = 3;
   owedSeconds_ = body_ ? std::min(owedSeconds_ + seconds, longest) : 0;
 }

@@ -15,27 +15,27 @@
 
 namespace opaline::app::viewer {
 
-/// Lets one body at a time be pulled by the mouse. The body rests where its rig had it when it was
-/// taken hold of; the scene's deformers go on on top of it.
+/// Lets the mouse pull one body at a time. The body's rest pose is the pose of its rig at the time
+/// it was grabbed. The scene's deformers are applied on top.
 class Poke {
  public:
   explicit Poke(Renderer& renderer) : renderer_(renderer) {}
 
-  /// Takes hold of the body that the ray meets; false where it meets none. Clips stop: the body is
-  /// the hand's now.
+  /// Grabs the body that the ray hits; false where it hits none. Clips stop, since the mouse moves
+  /// the body now.
   bool grab(Session& session, const Ray& ray);
-  /// The place that is held follows the pixel, in a plane parallel to the picture.
+  /// The grabbed place follows the pixel, in a plane parallel to the picture.
   void pull(const Projection& projection, const glm::vec2& pixel);
   void release();
 
-  /// Time goes by, in which the body is to move. Takes no time itself.
+  /// Notes that time has passed in which the body must move. Cheap.
   void advance(double seconds);
-  /// Moves the body on by that time, however long the last picture took, and gives it back to its
-  /// rig when it has come to rest. True where the picture changes. Waits for the device.
+  /// Moves the body on by that time, however long the last picture took. Gives it back to its rig
+  /// once it rests. True if the picture changes. Waits for the device.
   bool step();
-  /// Gives it back at once.
+  /// Gives the body back at once.
   void end();
-  /// Whether a body is the hand's, and nobody else's.
+  /// Whether a body is under the mouse's control.
   bool holdsBody() const { return body_.has_value() || wanted_.has_value(); }
   bool moves() const { return wanted_ || (body_ && (held_ || body_->moves())); }
 
@@ -51,14 +51,14 @@ class Poke {
 
   Renderer& renderer_;
   std::optional<SoftBody> body_;
-  std::optional<Grab> wanted_;  // at the next step
-  double owedSeconds_ = 0;      // that went by since the last step
+  std::optional<Grab> wanted_;  // to be grabbed at the next step
+  double owedSeconds_ = 0;      // time since the last step
   std::size_t object_ = 0;
   bool held_ = false;
-  Vec3 goal_{};        // to which it is pulled
-  glm::vec3 seen_{};   // place that is held, where the picture shows it
-  glm::vec3 rest_{};   // the same before the scene's deformers
-  glm::mat3 back_{1};  // directions there, from those of the picture
+  Vec3 goal_{};        // where it is pulled to
+  glm::vec3 seen_{};   // the held place, as the picture shows it
+  glm::vec3 rest_{};   // the held place before the scene's deformers
+  glm::mat3 back_{1};  // maps directions of the picture to the body at rest
 };
 
 }  // namespace opaline::app::viewer

@@ -9,7 +9,7 @@
 
 namespace opaline::app::viewer {
 
-/// Where a camera looks: three unit directions at right angles.
+/// A camera's axes: three orthogonal unit vectors.
 struct ViewFrame {
   explicit ViewFrame(const Camera& camera);
 
@@ -20,22 +20,22 @@ struct ViewFrame {
   float distanceMm = 0;  ///< to the target
 };
 
-/// A half-line in the scene.
+/// A ray in the scene.
 struct Ray {
   glm::vec3 origin{};
   glm::vec3 direction{};  ///< unit
 };
 
-/// How the scene lies in an area of the window.
+/// The projection of the scene to an area of the window.
 class Projection {
  public:
   Projection(const Camera& camera, const Area& area);
 
   const ViewFrame& view() const { return view_; }
-  /// Nothing for what lies behind the camera.
+  /// None for a place behind the camera.
   std::optional<glm::vec2> toWindow(const glm::vec3& placeMm) const;
   Ray through(const glm::vec2& pixel) const;
-  /// Edge of a pixel at a distance along the viewing axis, mm.
+  /// The size of a pixel at a distance along the viewing axis, in mm.
   float pixelMm(float depthMm) const;
 
  private:
@@ -43,7 +43,7 @@ class Projection {
   Area area_;
   float tangent_;  // of half the vertical field of view
   std::optional<float> orthographicHeightMm_;
-  glm::vec2 middle_;  // where the window shows what lies straight ahead
+  glm::vec2 middle_;  // where the window shows the viewing axis
 };
 
 }  // namespace opaline::app::viewer

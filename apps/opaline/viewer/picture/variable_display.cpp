@@ -38,7 +38,7 @@ Range rangeOf(const Image& values) {
   return range;
 }
 
-// The part of a turn in sixths.
+// The colour of a hue, given as a part of a full turn.
 Color colorOfHue(float turn) {
   const float hue = 6 * turn;
   Color color{};
@@ -49,13 +49,13 @@ Color colorOfHue(float turn) {
   return color;
 }
 
-// Neighbouring indices apart, by the golden angle.
+// Distinct colours for neighbouring indices, by the golden angle.
 Color colorOfIndex(float index) {
   return colorOfHue(0.381966F * index - std::floor(0.381966F * index));
 }
 
-// Of many indices, whose neighbours on the surface may be any step apart: by chance, with brighter
-// and darker ones among them. Grey where there is none.
+// Colours for many indices, whose neighbours on the surface may differ by any step: pseudo-random
+// ones of varied brightness. Grey stands for no index.
 Color colorOfAny(float index) {
   if (index < 0) return {0.5F, 0.5F, 0.5F};
   // The finalizer of MurmurHash3 (Appleby 2011).

@@ -8,12 +8,12 @@ namespace opaline::app::viewer {
 /// The channels of Aov::Surfels.
 enum class SurfelIndex { Surfel, Cluster, Node };
 
-/// Whether a variable is light, which exposure and tone curve apply to.
+/// Whether a variable is light, so that exposure and tone curve apply to it.
 bool isLight(Aov aov);
 
-/// A variable that is not light as colours between 0 and 1 that tell it best: places within their
-/// box, directions about grey, counts and lengths from their least to their largest, objects and
-/// what holds a pixel's surfel by colours that differ.
+/// Shows a variable that is not light in colours between 0 and 1. Places are relative to their box,
+/// directions are centred on grey, counts and lengths go from their least to their largest. Objects
+/// and indices of surfels get distinct colours.
 Image asColors(const Image& values, Aov aov, SurfelIndex surfelIndex);
 
 }  // namespace opaline::app::viewer

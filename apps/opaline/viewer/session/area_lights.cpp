@@ -17,7 +17,7 @@ struct Axes {
   glm::vec3 v;
 };
 
-// Two directions across a unit direction and each other.
+// Two directions orthogonal to a unit direction and to each other.
 Axes across(const glm::vec3& normal) {
   const glm::vec3 helper = std::abs(normal.x) < 0.7F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 u = glm::normalize(glm::cross(helper, normal));
@@ -28,7 +28,7 @@ glm::vec3 normalOf(const RectangleLight& light) {
   return glm::normalize(glm::cross(toGlm(light.uMm), toGlm(light.vMm)));
 }
 
-// The rotation that takes one unit direction to another.
+// Rotates `v` by the rotation that takes one unit direction to another.
 glm::vec3 turned(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 axis = glm::cross(from, to);
   const float cosine = glm::dot(from, to);

@@ -24,10 +24,10 @@ bool sameEnvironment(const EditState& state, const Session& session) {
          state.environmentFile->intensity == file->intensity;
 }
 
-// Options and tone as a scene file has them: all that makes a picture.
+// Compares options and tone as a scene file has them, which is everything that makes a picture.
 bool sameLook(const EditState& state, const Session& session) {
   ToneOptions tone = session.tone;
-  // What follows from the light is no edit of its own.
+  // An exposure that follows from the light is not an edit.
   if (session.exposesByLight) tone.exposureStops = state.tone.exposureStops;
   using Picture = options::PictureSettings;
   return options::chosenIn(Picture{.render = state.options, .tone = state.tone}) ==
@@ -80,7 +80,7 @@ EditState editStateOf(const Session& session) {
   state.numbers = session.source.numbersOfObject;
   state.ground = describeGround(session.scene);
   state.lighting = session.scene.lighting;
-  // A turned one is made again where it is wanted: hundreds of them would fill the memory.
+  // The turned environment is not kept but made again: hundreds of them would fill the memory.
   state.lighting.environment.reset();
   state.environmentFile = session.source.environment;
   state.environment = session.environment;

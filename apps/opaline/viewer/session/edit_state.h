@@ -11,22 +11,22 @@
 
 namespace opaline::app::viewer {
 
-/// Everything of a session that is edited, and nothing of how one looks at it: not where the camera
-/// stands, nor the time that is shown.
+/// Everything of a session that edits change, but not how the scene is viewed: neither the camera's
+/// place nor the time.
 struct EditState {
   std::vector<Material> materials;                 ///< by object
   std::map<std::string, MaterialNumbers> numbers;  ///< as in SceneSource
-  Lighting lighting;                               ///< but for the environment
+  Lighting lighting;                               ///< without the environment
   std::optional<EnvironmentFile> environmentFile;
-  std::shared_ptr<const Image> environment;  ///< as the file has it, not turned
+  std::shared_ptr<const Image> environment;  ///< as in the file, not turned
   std::optional<Ground> ground;
   std::vector<Deformer> deformers;
   RenderOptions options;
   int clip = 0;
   ToneOptions tone;
-  bool exposesByLight = true;  ///< what the tone says of exposure then means nothing
+  bool exposesByLight = true;  ///< the tone's exposure is then ignored
   float fovDegrees = 0;
-  std::optional<float> diagonalMm;  ///< as asked for; none: as the file has it
+  std::optional<float> diagonalMm;  ///< as asked for; none: as in the file
   float speed = 1;
   float lengthSeconds = 0;
   bool loop = true;
@@ -41,14 +41,14 @@ struct EditState {
 
 EditState editStateOf(const Session& session);
 
-/// Whether it is the session's, without a copy.
+/// Whether the session is in this state. Makes no copy.
 bool isStateOf(const EditState& state, const Session& session);
 
-/// Whether the session's model has the state's size: another is loaded first.
+/// Whether the session's model has the state's size. If not, it must be loaded at that size first.
 bool hasSizeOf(const EditState& state, const Session& session);
 
-/// Brings it back, where the size is the session's, and notes in the session's edits what that
-/// changed.
+/// Restores the state, which must have the session's size, and notes in the session's edits what
+/// that changed.
 void restore(const EditState& state, Session& session);
 
 }  // namespace opaline::app::viewer

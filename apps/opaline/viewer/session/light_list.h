@@ -9,27 +9,27 @@ namespace opaline::app::viewer {
 
 enum class LightKind { Directional, Point, Spot, Area };
 
-/// Where a light of the window's list stands in the scene.
+/// Which light of the scene an entry of the window's list is.
 struct LightEntry {
   LightKind kind = LightKind::Directional;
   std::size_t index = 0;  ///< among those of its kind
 };
 
-/// All lights with a handle, one kind after the other.
+/// How many lights have handles. The list has one kind after the other.
 std::size_t countOf(const Lighting& lighting);
 
-/// Of the list's light of that number, which is below countOf().
+/// The entry with that number, which must be below countOf().
 LightEntry entryOf(const Lighting& lighting, std::size_t light);
 
-/// Number in the list of the last of its kind, of which there is one.
+/// The number of the last light of a kind, of which there must be one.
 std::size_t numberOfLast(LightKind kind, const Lighting& lighting);
 
-/// "spot"
+/// A name such as "spot".
 std::string nameOf(LightKind kind);
-/// "spot 1", "disc 2"
+/// A name such as "spot 1" or "disc 2".
 std::string nameOf(const Lighting& lighting, const LightEntry& entry);
 
-/// What the light is coloured by.
+/// The value that gives the light its colour.
 Rgb powerOf(const Lighting& lighting, const LightEntry& entry);
 
 void erase(const LightEntry& entry, Lighting& lighting);

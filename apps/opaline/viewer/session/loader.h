@@ -12,10 +12,10 @@
 
 namespace opaline::app::viewer {
 
-/// Loads a scene while the window stays alive.
+/// Loads a scene on another thread, so that the window stays alive.
 class Loader {
  public:
-  /// What came of it: a scene, or the reason why there is none.
+  /// A loaded scene, or the reason why there is none.
   struct Result {
     SceneOptions source;
     std::optional<LoadedScene> loaded;
@@ -23,18 +23,18 @@ class Loader {
     std::string error;
   };
 
-  /// `whenDone` is called from another thread.
+  /// `whenDone` is called on another thread.
   explicit Loader(std::function<void()> whenDone) : whenDone_(std::move(whenDone)) {}
   ~Loader();
   Loader(const Loader&) = delete;
   Loader& operator=(const Loader&) = delete;
 
-  /// Waits for the scene that is being loaded, if any, and forgets it.
+  /// Starts loading. Waits for a scene that is still being loaded, if any, and drops it.
   void start(const SceneOptions& source);
   bool busy() const { return thread_.joinable(); }
-  /// Of what is being loaded.
+  /// The name of the scene being loaded.
   std::string name() const { return result_.source.name(); }
-  /// The result, once.
+  /// The result, handed out once.
   std::optional<Result> take();
 
  private:

@@ -11,7 +11,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// All of it has to be drawn for the first time.
+// Everything must be drawn for the first time.
 Edits newScene(const Scene& scene) {
   Edits edits;
   edits.material.assign(scene.objects.size(), false);
@@ -66,7 +66,7 @@ Session resized(const Session& edited, Loader::Result result) {
   scene.clips = std::move(loaded.clips);
   scene.repairs = std::move(loaded.repairs);
   removeGround(scene);
-  // The file may have changed meanwhile.
+  // The file may have changed, and have fewer objects.
   if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
   scaleLightsAndCamera(double{factor}, scene);

@@ -4,7 +4,7 @@
 
 namespace opaline::app::viewer {
 
-/// Lets a session's animation and turntable run for so long, as far as they do.
+/// Advances a session's animation and turntable by that time, if they run.
 void playOn(double seconds, Session& session);
 
 }  // namespace opaline::app::viewer

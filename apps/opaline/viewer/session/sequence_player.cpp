@@ -14,7 +14,7 @@ void SequencePlayer::place(Session& session) {
   if (!sequence_) return;
   const int number = nearestNumber(*sequence_, session.time.seconds);
   if (shown_ == number) return;
-  shown_ = number;  // also where it cannot be read: once is enough to say so
+  shown_ = number;  // set even if the file cannot be read, so that the error is shown once
   const std::vector<Vec3>& positionsMm = positions_->of(number);
   renderer_.replacePositions(0, positionsMm);
   session.positionsMm[0] = positionsMm;

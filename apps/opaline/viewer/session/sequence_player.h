@@ -10,22 +10,22 @@
 
 namespace opaline::app::viewer {
 
-/// Brings a body to where its numbered files have it at the session's time. The next file is read
-/// on another thread meanwhile.
+/// Moves a body to where its numbered files have it at the session's time. Another thread reads the
+/// next file meanwhile.
 class SequencePlayer {
  public:
   explicit SequencePlayer(Renderer& renderer) : renderer_(renderer) {}
 
-  /// Does nothing where the body is there already or has no files. Throws Error where a file cannot
-  /// be read; the body then stays where it is.
+  /// Does nothing where the body is in place already or has no files. Throws Error where a file
+  /// cannot be read; the body then stays where it was.
   void place(Session& session);
-  /// Somebody else has moved the body.
+  /// To be called when somebody else has moved the body.
   void forget() { shown_.reset(); }
 
  private:
   Renderer& renderer_;
   std::shared_ptr<const MeshSequence> sequence_;
-  std::optional<PositionsAhead> positions_;  // after what it reads from, so that it goes first
+  std::optional<PositionsAhead> positions_;  // destroyed before what it reads from
   std::optional<int> shown_;
 };
 

@@ -35,14 +35,16 @@ RenderOptions sized(const RenderOptions& options, int width, int height) {
 
 RenderOptions coarser(const RenderOptions& options) {
   RenderOptions coarse = options;
-  // Where most time is won for least colour: fewer bounces or a looser tolerance shift it more.
+  // This saves most time for the least change of colour: fewer bounces or a looser tolerance would
+  // change it more.
   coarse.tolerance = std::max(options.tolerance, 0.05F);
   return coarse;
 }
 
 RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels) {
   constexpr int clusters = 1024;
-  // Of twice the size they still hold a medium's light; any larger and sums over them take longer.
+  // Surfels of twice the size still resolve a medium's light. With larger ones the sums over them
+  // would take longer.
   constexpr std::size_t surfelsForOne = 4;
   RenderOptions coarse = coarser(options);
   coarse.maxClusters = std::min(options.maxClusters, clusters);
@@ -96,7 +98,7 @@ FrameRange filmFrames(const Session& session) {
     frames.first = film.first;
     frames.last = std::max(film.first, film.last);
   } else if (session.sequence) {
-    frames.last = session.sequence->frameCount() - 1;  // a file a frame, at any rate
+    frames.last = session.sequence->frameCount() - 1;  // one frame per file at any frame rate
   } else {
     const double count = static_cast<double>(session.playback.lengthSeconds) * film.perSecond;
     frames.last = std::max(0, static_cast<int>(std::lround(count)) - 1);

@@ -21,13 +21,13 @@
 
 namespace opaline::app::viewer {
 
-/// What an edit concerns, so that nothing else is done again.
+/// What an edit affects, so that nothing else is redone.
 struct Edits {
   bool camera = false;
   bool lighting = false;
   bool deformers = false;
-  bool ground = false;         ///< there is another, or none
-  bool picture = false;        ///< options, time: whatever needs a new picture and nothing else
+  bool ground = false;         ///< another ground, or none
+  bool picture = false;        ///< options, time: what needs a new picture and nothing else
   std::vector<bool> material;  ///< by object
 
   bool any() const {
@@ -41,7 +41,7 @@ struct Edits {
 /// What the picture area shows.
 enum class Shown { Picture, Truth, HeatMap };
 
-/// What is to be written.
+/// What to write.
 enum class Save { Nothing, Picture, Exr, Scene, Film, NoFilm };
 
 /// How the animation runs.
@@ -50,7 +50,7 @@ struct Playback {
   bool loop = true;
   bool turntable = false;
   float speed = 1;
-  float lengthSeconds = 4;  ///< after which it begins anew
+  float lengthSeconds = 4;  ///< after which it starts again
 };
 
 /// What a film shows.
@@ -63,24 +63,24 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
-/// What the truth is to be written as.
+/// The form in which to write the truth.
 enum class TruthFile { Png, Exr, HeatMap };
 
 /// Everything that can be changed in the window, as plain data. Panels change it and note what they
-/// did in `edits`; nothing here draws or renders.
+/// did in `edits`. Nothing here draws or renders.
 struct Session {
-  SceneOptions asked;  ///< what was asked to be opened
+  SceneOptions asked;  ///< what the user asked to open
   std::string name;
   Scene scene;
-  SceneSource source;                            ///< the files that it was made of
-  std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
-  PositionsByObject positionsMm;                 ///< where these have the body now
-  std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned
+  SceneSource source;                            ///< the files it was made of
+  std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, if its model is one
+  PositionsByObject positionsMm;                 ///< where the sequence has the body now
+  std::shared_ptr<const Image> environment;      ///< as in the source's file, not turned
   std::vector<DirectionalLight> suns;            ///< of the environment as it is shown
   float diagonalMm = 0;                          ///< as loaded
-  std::optional<float> wantedDiagonalMm;         ///< another, to be loaded
-  std::optional<float> draggedDiagonalMm;        ///< another, while its slider is being dragged
-  std::vector<std::string> notes;                ///< of loading
+  std::optional<float> wantedDiagonalMm;         ///< another size, to be loaded
+  std::optional<float> draggedDiagonalMm;        ///< another size, while its slider is dragged
+  std::vector<std::string> notes;                ///< from loading
 
   RenderOptions options;
   SceneTime time;
@@ -88,51 +88,51 @@ struct Session {
   bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
   FilmSettings film;
-  std::optional<std::array<int, 2>> pictureSize;  ///< of what is saved; none: as in the window
-  bool quickWhileMoving = true;  ///< coarser light where the transport is too slow to move with
+  std::optional<std::array<int, 2>> pictureSize;  ///< of saved pictures; none: as in the window
+  bool quickWhileMoving = true;  ///< coarser light where the transport is too slow for motion
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
-  SurfelIndex surfelIndex = SurfelIndex::Surfel;  ///< of Aov::Surfels, what is shown
+  SurfelIndex surfelIndex = SurfelIndex::Surfel;  ///< which index of Aov::Surfels is shown
   int treeLevel = 4;                              ///< of the nodes
   Shown shown = Shown::Picture;
   std::optional<TruthOrder::Method> wantedTruth;
   bool cancelTruth = false;
-  int wantedSteps = 0;                ///< through the list of edits: back below 0, on above
-  std::optional<FileUse> wantedFile;  ///< for which the user is to choose one
+  int wantedSteps = 0;                ///< steps through the list of edits: negative is back
+  std::optional<FileUse> wantedFile;  ///< a file that the user must choose
   std::optional<TruthFile> wantedTruthFile;
   Save wanted = Save::Nothing;
-  std::optional<FileAnswer> saveTo;  ///< what is wanted; none: under a free name after saveName
-  std::string saveName;              ///< without its ending
-  bool poke = false;                 ///< the mouse pulls at bodies instead of turning the camera
+  std::optional<FileAnswer> saveTo;  ///< for `wanted`; none: a free name after saveName
+  std::string saveName;              ///< without its extension
+  bool poke = false;                 ///< the mouse pulls bodies instead of turning the camera
   bool scaleBar = true;
   bool gizmos = true;
 
-  std::string refused;  ///< why the last key did nothing, to be said
+  std::string refused;  ///< why the last key did nothing
 
   std::optional<RenderReport> report;  ///< of the last picture
 
-  std::size_t object = 0;  ///< whose medium and material are edited
-  int light = -1;          ///< that is selected, in the order of viewer/session/light_list.h
+  std::size_t object = 0;  ///< the one whose medium and material are edited
+  int light = -1;          ///< the selected one, in the order of viewer/session/light_list.h
   Edits edits;
 };
 
-/// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no
-/// map.
+/// Whether the scene is shown as its camera sees it now, and not the truth of an earlier moment or
+/// a map.
 bool showsScene(const Session& session);
 
-/// Puts another ground under the session's scene, or none.
+/// Replaces the ground of the session's scene, or removes it.
 void setGround(const std::optional<Ground>& ground, Session& session);
 
-/// Lets the exposure follow the scene's light, where nobody has said how to expose.
+/// Sets the exposure by the scene's light, unless somebody chose one.
 void exposeByLight(Session& session);
 
-/// The same picture of that many pixels.
+/// The same options for that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);
 
-/// The same transport, found more coarsely: what is shown while light, medium or body move.
+/// The same transport, computed more coarsely, for use while light, medium or body move.
 RenderOptions coarser(const RenderOptions& options);
-/// And on a surface that is divided more coarsely than into so many surfels.
+/// The same on a coarser division of the surface than that into so many surfels.
 RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels);
 
 /// Renders the session's scene once, as its renderer has it.
@@ -141,16 +141,16 @@ Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions&
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);
 
-/// Seconds after which numbered files, clips and swinging deformers have come round, or a few.
+/// The seconds until numbered files, clips and swinging deformers repeat, or a default.
 float lengthOfMotion(const Session& session);
 
-/// Whether a picture of it depends on the time.
+/// Whether the picture depends on the time.
 bool movesInTime(const Session& session);
-/// What to say where it does not.
+/// The message where it does not.
 inline constexpr const char* nothingMoves =
     "Nothing here moves by itself: Motion adds a deformation, and an animated model brings a clip.";
 
-/// Those of its film.
+/// The frames of the session's film.
 FrameRange filmFrames(const Session& session);
 
 }  // namespace opaline::app::viewer

@@ -42,11 +42,11 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   hasScene_ = true;
 }
 
-// What changes.
+// Hands the session's edits to the renderer, and returns what changes.
 Edits Stage::handOver(Session& session) {
   const Scene& scene = session.scene;
   renderer_.setTime(session.time);
-  if (session.edits.camera) {  // from where the clip had it
+  if (session.edits.camera) {  // back from where the clip moved it
     renderer_.setCamera(scene.camera);
     stopCamera(session.scene);
   } else if (movesCamera(scene, session.time.clip)) {
@@ -92,13 +92,13 @@ void Stage::submit(View& view, Aov variable) {
   if (apart_) order_.aovs.push_back(Aov::Radiance);
   if (variable != Aov::Radiance) order_.aovs.push_back(variable);
   DeviceImage& image = isPaper(view) ? paperPicture_ : picture_;
-  image = {};  // where the next cannot be made, this one may be gone
+  image = {};  // if the next picture cannot be made, this one may be gone
   view.submit(order_);
   if (!apart_) image = view.picture();
   waiting_.push_back({&view, variable});
 }
 
-// A material that changes asks for another division itself.
+// A changed material makes the renderer divide the surface anew.
 View& Stage::viewFor(const RenderOptions& options, const Edits& edits) {
   const bool materialChanges = std::any_of(edits.material.begin(), edits.material.end(),
                                            [](bool changes) { return changes; });
@@ -121,7 +121,7 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   const bool quick = moving && session.quickWhileMoving && !session.divided && restMs_ > slowMs;
   coarse_ = quick && edits.any() && options.transport == Transport::Boundary;
   if (moving) options.antialias = 1;
-  // Light at vertices stays while the camera moves.
+  // Light at vertices can be reused while the camera moves.
   if (quick && options.sum != Sum::Pattern) options.site = Site::Vertex;
   busySince_ = std::chrono::steady_clock::now();
   divided_ = session.divided;
@@ -133,11 +133,11 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   submit(viewFor(options, edits), session.aov);
   if (apart_) {
     watch_.begin();
-    // The device works on while the picture before, which is done, is brought over.
+    // The device keeps working while the previous picture, which is done, is brought over.
     while (waiting_.size() > (divided_ ? 2 : 1)) collect();
     return;
   }
-  // What is drawn next was asked for after the frame before this one was finished.
+  // The next picture must be asked for after the previous frame is finished.
   while (waiting_.size() >= View::framesInFlight) collect();
 }
 

@@ -13,51 +13,51 @@
 
 namespace opaline::app::viewer {
 
-/// Keeps a renderer in step with a session and has it make the pictures the window shows.
+/// Keeps a renderer in step with a session and makes it render the pictures that the window shows.
 ///
-/// Where the window is drawn by the renderer's device, a frame is waited for only when the one
-/// after the next begins. Where it has a device of its own, nothing is waited for: one picture at a
-/// time is under way, and is brought over when it is done.
+/// Where the renderer's device also draws the window, a frame is waited for only when the next but
+/// one begins. Where the window has its own device, nothing is waited for: one picture at a time is
+/// under way, and is brought over when it is done.
 class Stage {
  public:
   Stage(Renderer& renderer, const VulkanDevice& window);
-  Stage(const Stage&) = delete;  // it points into itself
+  Stage(const Stage&) = delete;  // holds pointers to itself
   Stage& operator=(const Stage&) = delete;
 
-  /// From now on it is this scene. Throws Error where the renderer refuses it, which then has the
-  /// one before again, if there was one; what was placed in that is to be placed anew.
+  /// Replaces the scene. Throws Error where the renderer refuses it. The renderer then has the
+  /// previous scene again, if there was one, and positions set in that must be set again.
   void setScene(const Scene& scene, const Scene& before);
   bool hasScene() const { return hasScene_; }
 
-  /// Hands the session's edits to the renderer and has it draw the picture, and the paper's where
-  /// the session is divided; the variable that the session shows, where that is another, comes a
-  /// frame later. While something is `moving`, pictures come fast: one sample a pixel, and coarser
-  /// light where the session allows it and its transport took long. Not while it is busy. Throws
-  /// Error where the renderer does, and can be called again.
+  /// Hands the session's edits to the renderer and makes it draw the picture, and the paper's where
+  /// the session is divided. A variable other than radiance comes a frame later. While something is
+  /// `moving`, pictures come fast: with one sample per pixel, and with coarser light where the
+  /// session allows it and its transport was slow. Must not be called while busy. Throws Error
+  /// where the renderer does, and can be called again.
   void draw(Session& session, int width, int height, bool moving);
-  /// Whether there is a picture to be taken up, now or once it is done.
+  /// Whether a picture is under way, done or not, that must be taken up.
   bool isUnderWay() const { return apart_ && !waiting_.empty(); }
-  /// Whether it is not done yet, so that nobody should wait for it.
+  /// Whether that picture is not done yet, so that waiting for it would block.
   bool isBusy() const { return isUnderWay() && !watch_.isDone(); }
-  /// Since when it is busy with that picture.
+  /// When that picture was begun.
   std::chrono::steady_clock::time_point busySince() const { return busySince_; }
   /// Takes up a picture that is done.
   void takeUp();
-  /// Waits for what is under way.
+  /// Waits for everything under way.
   void finish();
 
   const DeviceImage& picture() const { return apart_ ? hostPicture_.shown() : picture_; }
   /// The paper's picture, while the session is divided.
   std::optional<DeviceImage> paper() const;
-  /// Whether the light in it is found more coarsely than the session says.
+  /// Whether its light is computed more coarsely than the session says.
   bool isCoarse() const { return coarse_; }
-  /// The last frame that finished, of the session's own method.
+  /// The last finished frame of the session's own method.
   const Frame& lastFrame() const { return frame_; }
-  /// The variable in it and its values; none where only radiance was wanted.
+  /// The variable in that frame and its values; null where only radiance was wanted.
   Aov variable() const { return variable_; }
   const Image* variableImage() const;
   std::size_t framesFinished() const { return framesFinished_; }
-  /// Of that frame, also where it was of a scene that is gone by now.
+  /// The report of that frame, even if its scene has been replaced.
   const RenderReport& report() const { return report_; }
 
  private:
@@ -73,26 +73,26 @@ class Stage {
   bool isPaper(const View& view) const { return paper_ && &view == &*paper_; }
 
   Renderer& renderer_;
-  const bool apart_;  // the window has a device of its own
+  const bool apart_;  // the window has its own device
   bool hasScene_ = false;
   bool divided_ = false;
   View view_;
   std::optional<View> coarseView_;  // on a coarse division; none until something moves
-  std::optional<View> paper_;       // of the paper's method; none until the session is divided
+  std::optional<View> paper_;       // by the paper's method; none until the session is divided
   DeviceImage picture_;
   DeviceImage paperPicture_;
   HostPicture hostPicture_;
   HostPicture hostPaper_;
-  QueueWatch watch_;  // of the frames under way
+  QueueWatch watch_;  // for the frames under way
   Frame frame_;
   RenderReport report_;
-  Frame other_;  // of the paper's method
+  Frame other_;  // by the paper's method
   Aov variable_ = Aov::Radiance;
   std::vector<Waiting> waiting_;  // frames under way, oldest first
   std::chrono::steady_clock::time_point busySince_;
   bool coarse_ = false;
-  bool resting_ = true;  // the frame drawn last was not in motion
-  double restMs_ = 0;    // of the last one at rest that found its light
+  bool resting_ = true;  // nothing moved in the last frame
+  double restMs_ = 0;    // of the last such frame that computed its light
   std::size_t restSurfels_ = 0;
   std::size_t framesFinished_ = 0;
   FrameOrder order_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int blockEdge = 8;
 
-// As it is shown with tone curve None and exposure 0.
+// The linear values that tone curve None and exposure 0 show as the encoded ones.
 Image linear(const Image8& encoded) {
   Image image(encoded.width, encoded.height);
   for (std::size_t i = 0; i < encoded.rgba.size(); ++i) {
@@ -35,7 +35,7 @@ void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Me
   picture_ = pictureOf(session, renderer, options);
   TruthOrder order;
   order.method = method;
-  // A core stays for the window.
+  // Half of the cores stay free for the window.
   order.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
   job_ =
       std::make_unique<TruthJob>(session.scene, session.time, options, order, session.positionsMm);
@@ -49,7 +49,7 @@ void TruthView::cancel() {
 
 bool TruthView::update() {
   if (!job_) return false;
-  // Asked before the picture, so that the last one is there once it has ended.
+  // The state is read before the picture, so that the last picture is there once the job has ended.
   const bool running = job_->state() == TruthJob::State::Running;
   const bool ended = std::exchange(running_, running) && !running;
   return takePicture(job_->picture()) || ended;

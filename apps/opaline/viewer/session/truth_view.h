@@ -16,22 +16,22 @@
 
 namespace opaline::app::viewer {
 
-/// The truth of what the window shows, computed in the background, beside the picture it is the
-/// truth of, and how far they are apart.
+/// The truth of what the window shows, computed in the background. It keeps the picture to compare
+/// it with, and how far the two differ.
 class TruthView {
  public:
   explicit TruthView(const VulkanDevice& device) : truth_(device), heatMap_(device) {}
 
-  /// Of the session as it is now. The picture it is compared with is rendered at once, without
-  /// reflections, by `renderer`, where no frame is under way.
+  /// Starts on the session as it is now. The picture to compare with is rendered at once, without
+  /// reflections, by `renderer`, which must have no frame under way.
   void start(const Session& session, Renderer& renderer, TruthOrder::Method method, int width,
              int height);
   void cancel();
-  /// At the last update(), so that who waits while it runs does not miss its end.
+  /// As of the last update(), so that a caller who waits for the end does not miss it.
   bool running() const { return running_; }
   double progress() const { return job_ ? job_->progress() : 0; }
 
-  /// Takes up what has come since; true where there is something new to see, or it has ended.
+  /// Takes over new results. True if there is something new to see or the job has ended.
   bool update();
 
   bool hasPicture() const { return !truth_.empty(); }
@@ -40,9 +40,9 @@ class TruthView {
   const std::optional<compare::Figures>& figures() const { return figures_; }
   const std::optional<compare::BlockFigures>& blocks() const { return blocks_; }
   const std::shared_ptr<const TruthPicture>& latest() const { return latest_; }
-  /// What its pictures are of and how far the window's is from it, in a sentence.
+  /// One sentence on what the pictures show and how far the window's picture differs.
   std::string legend() const;
-  /// Writes the last picture of it, or its heat map; the sentence that says so. Throws Error.
+  /// Writes its last picture, or the heat map. Returns a sentence that says so. Throws Error.
   std::string save(TruthFile what, const Target& target, const ToneOptions& tone) const;
   std::string error() const { return job_ ? job_->error() : std::string(); }
 
@@ -51,7 +51,7 @@ class TruthView {
 
   std::unique_ptr<TruthJob> job_;
   bool running_ = false;
-  Image picture_;  // that the truth is held against
+  Image picture_;  // what the truth is compared with
   std::shared_ptr<const TruthPicture> latest_;
   HostPicture truth_;
   HostPicture heatMap_;

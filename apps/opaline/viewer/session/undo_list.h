@@ -8,30 +8,30 @@
 
 namespace opaline::app::viewer {
 
-/// The states that a session went through, and which of them it is in.
+/// The states that a session went through, and which of them is the present one.
 class UndoList {
  public:
-  static constexpr std::size_t most = 200;  ///< states; the oldest are forgotten
+  static constexpr std::size_t most = 200;  ///< states; the oldest are dropped
 
-  /// Forgets all and begins with this one.
+  /// Drops all states and begins with this one.
   void begin(EditState state);
-  /// An edit led to this one. What was undone is forgotten.
+  /// Adds the state after an edit. States that were undone are dropped.
   void add(EditState state);
 
   bool isEmpty() const { return states_.empty(); }
   bool canUndo() const { return present_ > 0; }
   bool canRedo() const { return present_ + 1 < states_.size(); }
-  /// A state back or on, where there is one.
+  /// Goes one state back or forward, where there is one.
   void undo();
   void redo();
 
-  /// The present state makes a picture.
+  /// Notes that the present state can be rendered.
   void markSound() { sound_ = present_; }
   bool isSound() const { return sound_ == present_; }
-  /// The present one makes none: goes to the last that did, and forgets what came after it. False
-  /// where none did.
+  /// To be called when the present state cannot be rendered: goes back to the last one that could,
+  /// and drops all later ones. False where there is none.
   bool takeBack();
-  /// Where there is any.
+  /// Requires that there is a state.
   const EditState& present() const { return states_[present_]; }
 
  private:

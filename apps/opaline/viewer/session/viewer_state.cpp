@@ -37,9 +37,9 @@ ViewerState readState(const std::filesystem::path& folder) {
     read.openFolder = json.value("open_folder", std::string());
     return read;
   } catch (const Error&) {
-    return state;  // there is none yet
+    return state;  // no state was saved yet
   } catch (const Json::exception&) {
-    return state;  // not one of ours, or of another version
+    return state;  // not our file, or from another version
   }
 }
 
@@ -56,7 +56,7 @@ void writeState(const std::filesystem::path& folder, const ViewerState& state) {
   try {
     writeWhole(fileIn(folder), toText(json));
   } catch (const Error&) {
-    return;  // a full or read-only folder is no reason to complain when the window closes
+    return;  // failing to save is no reason to complain when the window closes
   }
 }
 

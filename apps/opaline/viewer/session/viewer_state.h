@@ -6,7 +6,7 @@
 
 namespace opaline::app::viewer {
 
-/// How the window was left.
+/// The state in which the user left the window.
 struct ViewerState {
   int width = 1280;
   int height = 800;
@@ -14,14 +14,15 @@ struct ViewerState {
   bool handles = true;
   bool scaleBar = true;
   controls::Sections openSections;
-  std::filesystem::path openFolder;  ///< where a file was opened from last; empty: none was
+  std::filesystem::path openFolder;  ///< folder of the last opened file; empty: none
 };
 
-/// From a file in that folder; as usual where there is none, or none that makes sense.
+/// Reads the state from a file in that folder. The defaults stand in where there is none, or none
+/// that makes sense.
 ViewerState readState(const std::filesystem::path& folder);
 
-/// Does nothing where the folder is empty or cannot be written to: the next window is as usual
-/// then.
+/// Does nothing where `folder` is empty or cannot be written to; the next window then has the
+/// defaults.
 void writeState(const std::filesystem::path& folder, const ViewerState& state);
 
 }  // namespace opaline::app::viewer

@@ -8,11 +8,11 @@
 
 namespace opaline::app::viewer {
 
-/// What would be lost if it were stopped now, a film or a truth, as sentences; nothing where
-/// nothing is under way.
+/// Sentences on a film or a truth that would be lost if stopped now. None where nothing is under
+/// way.
 std::optional<std::string> workUnderWay(const Saver& saver, const TruthView& truth);
 
-/// Stops it.
+/// Stops that work.
 void stopWork(Saver& saver, TruthView& truth);
 
 }  // namespace opaline::app::viewer

@@ -3,15 +3,15 @@
 layout(binding = 0) uniform sampler2D picture;  // light times coverage, coverage in alpha
 
 layout(push_constant) uniform Constants {
-  vec4 background;  // linear; w 1 where the curve is Khronos PBR Neutral
+  vec4 background;  // linear; w is 1 for the curve Khronos PBR Neutral
   vec2 origin;      // of the picture, pixels
-  vec2 pixels;      // that it covers
+  vec2 pixels;      // size of the picture
   float exposure;   // factor
 };
 
 layout(location = 0) out vec4 shown;
 
-// Khronos Group 2024, "Khronos PBR Neutral Tone Mapper"; core/tone.cpp is the same.
+// Khronos Group 2024, "Khronos PBR Neutral Tone Mapper", as in core/tone.cpp.
 vec3 neutral(vec3 color) {
   const float startCompression = 0.8 - 0.04;
   const float desaturation = 0.15;

@@ -1,6 +1,6 @@
 #version 460
 
-// One triangle that covers the viewport.
+// One triangle covers the viewport.
 void main() {
   gl_Position = vec4(gl_VertexIndex == 1 ? 3 : -1, gl_VertexIndex == 2 ? 3 : -1, 0, 1);
 }

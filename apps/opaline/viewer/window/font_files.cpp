@@ -44,14 +44,14 @@ Pattern patternFor(FcConfig* config, const std::set<char32_t>& characters) {
   return pattern;
 }
 
-// None where it is of a kind that the window cannot draw.
+// None for a kind of font that the window cannot draw.
 std::optional<FontFile> fontOf(const FcPattern* font, const std::set<char32_t>& characters) {
   const std::string_view format = textOf(font, FC_FONTFORMAT);
   const std::string_view file = textOf(font, FC_FILE);
   if ((format != "TrueType" && format != "CFF") || file.empty()) return std::nullopt;
   FontFile found{file};
   int index = 0;
-  constexpr int faceBits = 0xFFFF;  // above them is the instance of a variable font
+  constexpr int faceBits = 0xFFFF;  // higher bits give the instance of a variable font
   if (FcPatternGetInteger(font, FC_INDEX, 0, &index) == FcResultMatch) {
     found.index = index & faceBits;
   }
@@ -84,7 +84,7 @@ std::vector<FontFile> fontsFor(const std::set<char32_t>& characters) {
       fonts.push_back(std::move(*font));
     }
   };
-  // First what the desktop writes Latin with.
+  // First the font that the desktop uses for Latin.
   addFrom(bestFirst(config.get(), {U'a', U'z'}), 1);
   constexpr std::size_t mostFonts = 12;
   if (!fonts.empty() && !missing.empty()) addFrom(bestFirst(config.get(), missing), mostFonts);

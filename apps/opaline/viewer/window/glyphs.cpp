@@ -7,9 +7,9 @@ namespace opaline::app::viewer::glyphs {
 
 namespace {
 
-// Up to here the fonts are loaded anyway.
+// The fonts are always loaded up to this character.
 constexpr char32_t lastOfLatin = 0xFF;
-// So many are more than any window shows, and few enough for a texture.
+// More than any window shows, and few enough for a texture.
 constexpr std::size_t most = 4000;
 
 std::set<char32_t> all;
@@ -20,7 +20,7 @@ struct Character {
   std::size_t bytes = 1;
 };
 
-// The first character; none where the bytes are no UTF-8.
+// The first character; code 0 where the bytes are not UTF-8.
 Character firstOf(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);

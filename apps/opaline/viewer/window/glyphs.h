@@ -3,17 +3,18 @@
 #include <set>
 #include <string_view>
 
-/// Which characters the window's texts need beyond the Latin ones that are always there: names of
-/// files, objects and media may be in any script.
+/// Which characters the window's texts need beyond Latin, which is always loaded. Names of files,
+/// objects and media may be in any script.
 namespace opaline::app::viewer::glyphs {
 
-/// A text will be shown from the next frame on. Cheap where its characters are known.
+/// Announces a text that will be shown from the next frame on. Cheap where its characters are
+/// known.
 void want(std::string_view utf8);
 
-/// Whether characters were wanted since the last call that had not been wanted before.
+/// Whether new characters were wanted since the last call.
 bool takeNews();
 
-/// All that were wanted so far.
+/// All characters wanted so far.
 const std::set<char32_t>& wanted();
 
 }  // namespace opaline::app::viewer::glyphs

@@ -8,8 +8,8 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// GLFW names a key after what stands there on a keyboard of the United States. What the user reads
-// on it is what is meant, as far as it is a Latin letter.
+// GLFW names keys by their place on a US keyboard. The letter printed on the user's key is what
+// counts, as far as it is Latin.
 int letterOf(int key, int scanCode) {
   const char* const name = glfwGetKeyName(key, scanCode);
   if (name == nullptr || name[0] == 0 || name[1] != 0) return key;

@@ -57,7 +57,7 @@ void Presenter::dropSwapchain() {
   swapchain_ = VK_NULL_HANDLE;
 }
 
-// As when a display is taken from a graphics card.
+// Needed for example when a display is taken from a graphics card.
 void Presenter::remakeSurface() {
   waitIdle();
   dropSwapchain();
@@ -81,7 +81,7 @@ void Presenter::requirePresenting() const {
 void Presenter::chooseFormat() {
   const auto formats = listOf<VkSurfaceFormatKHR>(vkGetPhysicalDeviceSurfaceFormatsKHR,
                                                   device_.physicalDevice, surface_);
-  // Encoded to sRGB by what draws, as Dear ImGui's colours are.
+  // Whoever draws encodes to sRGB, as Dear ImGui's colours are encoded already.
   const auto encoded = [](const VkSurfaceFormatKHR& format) {
     return (format.format == VK_FORMAT_B8G8R8A8_UNORM ||
             format.format == VK_FORMAT_R8G8B8A8_UNORM) &&
@@ -107,7 +107,7 @@ void Presenter::makeRenderPass() {
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = 1;
   subpass.pColorAttachments = &reference;
-  // After the image was acquired, which the submission waits for at the same stage.
+  // Starts once the image was acquired; the submission waits for that at the same stage.
   VkSubpassDependency dependency{};
   dependency.srcSubpass = VK_SUBPASS_EXTERNAL;
   dependency.srcStageMask = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT;
@@ -154,7 +154,7 @@ bool Presenter::makeSwapchain() {
   VkSwapchainCreateInfoKHR info{};
   info.sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR;
   info.surface = surface_;
-  // One that is shown and one that is drawn; more would only be older when they are seen.
+  // One image is shown and one is drawn. More would only be older when they are seen.
   info.minImageCount = std::max(2U, can.minImageCount);
   info.imageFormat = format_.format;
   info.imageColorSpace = format_.colorSpace;
@@ -209,7 +209,7 @@ void Presenter::dropImages() {
   images_.clear();
 }
 
-// False where there is none yet, or the surface has to be made anew first.
+// False where there is no image yet, or the surface must be made again first.
 bool Presenter::acquire() {
   const VkExtent2D pixels = window_.pixels();
   if (pixels.width != extent_.width || pixels.height != extent_.height) outdated_ = true;
@@ -226,7 +226,7 @@ bool Presenter::acquire() {
   }
   if (result == VK_TIMEOUT || result == VK_NOT_READY) return false;
   check(result, "take its next picture");
-  if (result == VK_SUBOPTIMAL_KHR) outdated_ = true;  // this one can still be drawn
+  if (result == VK_SUBOPTIMAL_KHR) outdated_ = true;  // the image can still be drawn
   return true;
 }
 
@@ -238,7 +238,7 @@ std::optional<VkCommandBuffer> Presenter::begin() {
   while (waited == VK_TIMEOUT)
     waited = vkWaitForFences(device_.device, 1, &slot.done, VK_TRUE, UINT64_MAX);
   check(waited, "wait for a picture");
-  // A second try where the size changed under our hands; then the next frame tries again.
+  // Tries again where the size has just changed; if that fails too, the next frame tries.
   if (!acquire() && !acquire()) return std::nullopt;
   check(vkResetFences(device_.device, 1, &slot.done), "begin a picture");
   beginCommands(slot.commands, "begin a picture");

@@ -13,8 +13,8 @@
 
 namespace opaline::app::viewer {
 
-/// Brings what is drawn in a render pass to a window, in step with the display. At most
-/// framesInFlight frames are under way: begin() waits for the one before the last.
+/// Shows what is drawn in a render pass in a window, in step with the display. At most
+/// framesInFlight frames are under way: begin() waits for the last but one.
 class Presenter {
  public:
   static constexpr std::size_t framesInFlight = 2;
@@ -28,8 +28,7 @@ class Presenter {
   VkExtent2D extent() const { return extent_; }
   std::uint32_t imageCount() const { return static_cast<std::uint32_t>(images_.size()); }
 
-  /// Commands inside the render pass, on a surface that was cleared. Nothing while the window has
-  /// no area.
+  /// Commands inside the render pass, on a cleared surface. None while the window has no area.
   std::optional<VkCommandBuffer> begin();
   /// Submits and presents them.
   void end();
@@ -71,7 +70,7 @@ class Presenter {
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   VkExtent2D extent_{};
   std::vector<Image> images_;
-  std::uint32_t image_ = 0;  // of the frame that is drawn
+  std::uint32_t image_ = 0;  // of the current frame
   bool outdated_ = true;
 };
 

@@ -6,12 +6,12 @@
 
 namespace opaline::app::viewer {
 
-/// The device that draws the window. A graphics card draws it between two pictures; a software
-/// device, whose only queue is busy with one picture for seconds, has a second logical device
-/// beside it, so that controls and the last picture are drawn meanwhile.
+/// The device that draws the window. A graphics card draws it between two pictures. The only queue
+/// of a software device can be busy with one picture for seconds, so it gets a second logical
+/// device that draws controls and the last picture meanwhile.
 class PresentingDevice {
  public:
-  /// Beside the device of a renderer, which outlives it.
+  /// Made from the device of a renderer, which must outlive it.
   explicit PresentingDevice(const VulkanDevice& renderers);
   ~PresentingDevice();
   PresentingDevice(const PresentingDevice&) = delete;

@@ -25,12 +25,12 @@ QueueWatch::~QueueWatch() {
 void QueueWatch::begin() {
   check(vkWaitForFences(device_.device, 1, &done_, VK_TRUE, UINT64_MAX), watching);
   check(vkResetFences(device_.device, 1, &done_), watching);
-  // Of no work of its own, so signalled when all before it is done.
+  // The submission is empty, so its fence is signalled when all work before it is done.
   check(vkQueueSubmit(device_.queue, 0, nullptr, done_), watching);
 }
 
 bool QueueWatch::isDone() const {
-  // An error is for whoever waits next to find.
+  // An error counts as done; whoever waits next will find it.
   return vkGetFenceStatus(device_.device, done_) != VK_NOT_READY;
 }
 

@@ -6,7 +6,7 @@
 
 namespace opaline::app::viewer {
 
-/// Tells when a device has done what was submitted to its queue, without waiting for it.
+/// Tells without waiting whether a device has done what was submitted to its queue.
 class QueueWatch {
  public:
   explicit QueueWatch(const VulkanDevice& device);
@@ -14,7 +14,7 @@ class QueueWatch {
   QueueWatch(const QueueWatch&) = delete;
   QueueWatch& operator=(const QueueWatch&) = delete;
 
-  /// Of what was submitted until now. Waits for what was watched before.
+  /// Watches everything submitted so far. Waits for what was watched before.
   void begin();
   bool isDone() const;
 

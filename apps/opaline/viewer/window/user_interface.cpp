@@ -30,7 +30,7 @@ void checkImGui(VkResult result) {
 
 constexpr std::uintmax_t largestFontBytes = 256U << 20U;
 
-// Nothing where the file cannot be read.
+// Empty where the file cannot be read.
 std::vector<char> contentsOf(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
@@ -41,7 +41,7 @@ std::vector<char> contentsOf(const std::filesystem::path& file) {
   return contents;
 }
 
-// Latin, and of what the texts need what the font is there for.
+// Latin, and those of the wanted characters that this font has.
 ImVector<ImWchar> rangesOf(const FontFile& font) {
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(ImGui::GetIO().Fonts->GetGlyphRangesDefault());
@@ -71,7 +71,7 @@ void chooseColors() {
   style.Colors[ImGuiCol_Header] = shade(0.22F);
   style.Colors[ImGuiCol_HeaderHovered] = shade(0.38F);
   style.Colors[ImGuiCol_HeaderActive] = shade(0.5F);
-  // So dark that the value on it can be read.
+  // Dark enough that the value on it is legible.
   style.Colors[ImGuiCol_SliderGrab] = {0.45F, 0.30F, 0.13F, 1};
   style.Colors[ImGuiCol_SliderGrabActive] = {0.55F, 0.37F, 0.16F, 1};
   style.Colors[ImGuiCol_CheckMark] = amber;
@@ -100,7 +100,7 @@ UserInterface::UserInterface(const VulkanDevice& device, const Presenter& presen
 
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // ViewerState keeps what is to be kept
+  io.IniFilename = nullptr;  // ViewerState keeps what needs keeping
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   chooseColors();
   ImGui::GetStyle().ScaleAllSizes(window.scale());
@@ -156,7 +156,7 @@ void UserInterface::makeFonts() {
 
 void UserInterface::uploadFonts() const {
 #if IMGUI_VERSION_NUM >= 19000
-  // Which submits commands of its own.
+  // This submits commands of its own.
   if (!ImGui_ImplVulkan_CreateFontsTexture()) check(VK_ERROR_UNKNOWN, "prepare its controls");
 #else
   runOnce(device_, ImGui_ImplVulkan_CreateFontsTexture, "prepare its controls");
@@ -189,7 +189,7 @@ void UserInterface::take(const Input& input) {
   }
 }
 
-// In place of where it is by now.
+// Replaces the mouse's current state, which may be newer than the inputs.
 void UserInterface::setMouse() const {
   ImGuiIO& io = ImGui::GetIO();
   if (pointer_) io.MousePos = *pointer_;

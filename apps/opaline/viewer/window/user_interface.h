@@ -22,11 +22,11 @@ class UserInterface {
   UserInterface(const UserInterface&) = delete;
   UserInterface& operator=(const UserInterface&) = delete;
 
-  /// Between these two, ImGui's own functions say what there is to see. Where texts want other
-  /// characters than before (see glyphs.h), fonts that have them are loaded first.
+  /// Between begin() and end(), ImGui's own functions describe what is shown. Where texts need new
+  /// characters (see glyphs.h), fonts that have them are loaded first.
   void begin(const std::vector<Input>& inputs);
   void end();
-  /// Draws it over what the commands have drawn.
+  /// Draws the interface over what the commands have drawn so far.
   void draw(VkCommandBuffer commands) const;
 
  private:
@@ -39,9 +39,9 @@ class UserInterface {
   VulkanDevice device_;
   const Presenter& presenter_;
   const Window& window_;
-  std::deque<ImVector<ImWchar>> ranges_;  // of the fonts, which refer to them where they are
-  std::optional<ImVec2> pointer_;         // where the inputs say that it is
-  std::array<bool, ImGuiMouseButton_COUNT> buttons_{};  // which the inputs say are down
+  std::deque<ImVector<ImWchar>> ranges_;                // of the fonts, which hold pointers to them
+  std::optional<ImVec2> pointer_;                       // as of the inputs taken so far
+  std::array<bool, ImGuiMouseButton_COUNT> buttons_{};  // pressed, as of those inputs
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
 };
 

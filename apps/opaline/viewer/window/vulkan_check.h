@@ -4,7 +4,7 @@
 
 namespace opaline::app::viewer {
 
-/// Throws Error, "the window could not <attempt>", where a call failed.
+/// Throws Error, "the window could not <attempt>", if `result` is an error.
 void check(VkResult result, const char* attempt);
 
 }  // namespace opaline::app::viewer

@@ -47,7 +47,7 @@ VkImageView makeView(VkDevice device, VkImage image, VkFormat format, const char
 
 namespace {
 
-/// Goes when its commands have run, whatever happened.
+/// A command pool that is destroyed once its commands have run, or on any error.
 struct OnePool {
   OnePool(const VulkanDevice& owner, const char* attempt)
       : device(owner.device), handle(makeCommandPool(owner, 0, attempt)) {}

@@ -8,19 +8,19 @@
 
 namespace opaline::app::viewer {
 
-// What several parts of the window make of Vulkan. Each throws Error, "the window could not
-// <attempt>", where that fails.
+// Vulkan objects that several parts of the window need. Each function throws Error, "the window
+// could not <attempt>", on failure.
 
 VkCommandPool makeCommandPool(const VulkanDevice& device, VkCommandPoolCreateFlags flags,
                               const char* attempt);
 VkCommandBuffer makeCommands(VkDevice device, VkCommandPool pool, const char* attempt);
-/// They are submitted once and recorded anew before they are submitted again.
+/// Begins commands for one submission; they are recorded again before the next.
 void beginCommands(VkCommandBuffer commands, const char* attempt);
 
-/// Of all of an image's colours.
+/// A view of all of an image's colours.
 VkImageView makeView(VkDevice device, VkImage image, VkFormat format, const char* attempt);
 
-/// Has the device do what is recorded, and waits until it is done.
+/// Runs the recorded commands on the device, and waits until they are done.
 void runOnce(const VulkanDevice& device, const std::function<void(VkCommandBuffer)>& record,
              const char* attempt);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-// After vulkan.h, so that it declares what it has for Vulkan.
+// Included after vulkan.h, so that it declares its functions for Vulkan.
 #include <GLFW/glfw3.h>
 
 #include "opaline/error.h"

@@ -16,43 +16,43 @@ namespace opaline::app::viewer {
 /// A window on the desktop.
 class Window {
  public:
-  /// Throws Error where there is no display, or none that Vulkan can draw to.
+  /// Throws Error where there is no display, or none on which Vulkan can draw.
   Window(int width, int height, const char* title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// What Vulkan needs to draw into it.
+  /// The extensions that Vulkan needs to draw into the window.
   static std::vector<std::string> instanceExtensions();
   static std::vector<std::string> deviceExtensions();
-  /// The caller destroys it, before the window.
+  /// The caller must destroy the surface before the window.
   VkSurfaceKHR makeSurface(VkInstance instance) const;
 
   GLFWwindow* handle() const { return window_; }
-  std::array<int, 2> size() const;  ///< as asked for, before scale(); 0 while it is minimised
-  VkExtent2D pixels() const;        ///< 0 × 0 while it is minimised
-  /// How much larger the desktop wants text and controls than usual.
+  std::array<int, 2> size() const;  ///< as requested, before scale(); 0 while minimised
+  VkExtent2D pixels() const;        ///< 0 × 0 while minimised
+  /// How much larger than usual the desktop wants text and controls.
   float scale() const;
   bool wantsToClose() const;
   void close();
-  /// Goes on where it was to be closed.
+  /// Cancels the wish to close.
   void stay();
   void setTitle(const std::string& title);
 
-  /// Takes what happened since the last call without waiting.
+  /// Takes the events since the last call without waiting.
   static void poll();
-  /// The same, but sleeps until something happens, or for so long where seconds > 0.
+  /// The same, but sleeps until something happens, or at most so long where seconds > 0.
   static void wait(double seconds = 0);
   /// Ends a wait(), from any thread.
   static void wake();
 
-  /// The files that were dropped on the window since the last call.
+  /// The files dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped();
-  /// What was done with keys and mouse next, as much as one frame of the interface can tell apart.
+  /// The next inputs of keys and mouse, as many as one frame of the interface can tell apart.
   std::vector<Input> takeInputs();
-  /// Whether some of it still waits.
+  /// Whether inputs are still waiting.
   bool hasInputs() const { return !inputs_.empty(); }
-  /// Whether the window is to be drawn again: the desktop asked for it, or changed its size, or a
+  /// Whether the window must be drawn again: the desktop asked for it or changed its size, or a
   /// key, a button or the wheel was used.
   bool takeRefresh();
 
