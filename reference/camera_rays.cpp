@@ -7,7 +7,7 @@ namespace opaline::reference {
 
 namespace {
 
-// As the GPU's: a camera whose up is along its axis takes another direction.
+// As on the GPU: a camera that looks along its up takes another direction.
 Vector usableUp(const Vector& wanted, const Vector& axis) {
   const Vector across = cross(axis, wanted);
   if (dot(across, across) > 1e-8 * std::max(dot(wanted, wanted), 1e-20)) return wanted;

@@ -18,7 +18,7 @@ class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
 
-  /// Through the pixel's centre, moved by `offset` pixels to the right and down.
+  /// The ray through the pixel's centre, moved right and down by `offset` pixels.
   Ray through(int x, int y, const std::array<double, 2>& offset = {}) const;
 
   /// Distance of a point along the viewing axis, mm.
@@ -27,7 +27,7 @@ class CameraRays {
  private:
   Vector origin_;
   Vector axis_;
-  Vector right_;  ///< half the picture's width, at distance 1 of a pinhole camera
+  Vector right_;  ///< half the picture's width at distance 1 of a pinhole camera
   Vector down_;   ///< half its height
   double shiftX_;
   double shiftY_;
@@ -36,9 +36,9 @@ class CameraRays {
   int height_;
 };
 
-/// Offsets of the antialiasing samples from the pixel's centre, in pixels, to the right and down:
-/// the standard patterns of Direct3D 11 for 1, 2, 4 and 8 samples, which are multiples of 1/16.
-/// Any other number of samples is one.
+/// Offsets of the antialiasing samples from the pixel's centre, in pixels to the right and down.
+/// They are Direct3D 11's standard patterns for 1, 2, 4 and 8 samples, multiples of 1/16. Any other
+/// number of samples counts as one.
 std::span<const std::array<double, 2>> antialiasingOffsets(int samples);
 
 }  // namespace opaline::reference

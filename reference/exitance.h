@@ -4,7 +4,7 @@
 
 namespace opaline::reference {
 
-/// Exitance B at a point, and how far it may be off.
+/// Exitance B at a point, and its error.
 struct Exitance {
   Colour value{};
   Colour error{};  ///< absolute

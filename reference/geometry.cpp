@@ -26,9 +26,9 @@ using QueryContext = RTCRayQueryContext;
 using QueryContext = RTCIntersectContext;
 #endif
 
-/// What a ray leaves out. Embree passes the context on to the filter.
+/// What a ray ignores. Embree passes the context on to the filter.
 struct Query {
-  QueryContext context;  // first: the filter is handed its address
+  QueryContext context;  // first member: the filter gets its address
   const Scene* scene = nullptr;
   std::uint32_t body = none;
   std::uint32_t triangle = none;
@@ -38,7 +38,7 @@ bool hasHoles(const Body& body) {
   return body.opaque && body.opaque->alphaCutoff > 0;
 }
 
-// The triangle that a ray starts on, and holes.
+// Ignores holes and the triangle on which a ray starts.
 void leaveOut(const RTCFilterFunctionNArguments* arguments) {
   const auto* query = reinterpret_cast<const Query*>(arguments->context);
   const std::uint32_t index = RTCHitN_geomID(arguments->hit, arguments->N, 0);
@@ -51,7 +51,7 @@ void leaveOut(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
 }
 
-// Embree 4 is told the filter with each ray, Embree 3 with the context.
+// Embree 4 gets the filter with each ray, Embree 3 with the context.
 #if RTC_VERSION_MAJOR >= 4
 constexpr RTCSceneFlags filtered = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 
@@ -164,8 +164,8 @@ struct Geometry::Device {
 Geometry::Geometry(const Scene& scene)
     : scene_(scene), box_(boxOf(scene)), device_(std::make_unique<Device>()) {
   requireSound(scene);
-  // 2⁻²² of half the box: four units in the last place of its farthest coordinates, twice what
-  // rounding moves a ray's start and a corner by.
+  // 2⁻²² of half the box: four units in the last place of its largest coordinates. That is twice
+  // what rounding moves the start of a ray and a corner.
   offsetMm_ = std::ldexp(std::max(box_.diagonalMm(), 1e-30), -22);
   device_->device = rtcNewDevice(nullptr);
   if (device_->device == nullptr) throw Error("Embree, which casts the rays, does not start");
@@ -207,7 +207,7 @@ Vector Geometry::startOf(const SurfacePoint& from, const Vector& direction) cons
 
 namespace {
 
-/// Möller and Trumbore 1997, with the weights clamped to the triangle that single precision hit.
+/// Möller and Trumbore 1997. The weights are clamped to the triangle that single precision hit.
 Geometry::Hit refined(const Geometry& geometry, std::uint32_t body, std::uint32_t triangle,
                       const Vector& origin, const Vector& direction) {
   const Body& of = geometry.scene().bodies[body];
@@ -284,7 +284,7 @@ Vector nearestOn(const Vector& a, const Vector& b, const Vector& c, const Vector
   return sum > 0 ? a + (ofB / sum) * ab + (ofC / sum) * ac : a;
 }
 
-/// What Embree's query for the nearest triangle hands on.
+/// What Embree's query for the nearest triangle passes on.
 struct Nearest {
   const Scene& scene;
   std::uint32_t whole;

@@ -21,8 +21,8 @@ struct SurfacePoint {
   std::array<double, 3> weights{};  ///< of the triangle's corners, sum 1
 };
 
-/// The surfaces of a scene: points on them and exact rays between them. All functions may be called
-/// from several threads at once. The scene must live as long and stay as it is.
+/// The surfaces of a scene: points on them and exact rays between them. All functions are
+/// thread-safe. The scene must live as long and must not change.
 class Geometry {
  public:
   explicit Geometry(const Scene& scene);
@@ -33,7 +33,7 @@ class Geometry {
   const Scene& scene() const { return scene_; }
   const Box& box() const { return box_; }
 
-  /// By the weights of a triangle's corners.
+  /// The point with these weights of the triangle's corners.
   SurfacePoint pointOn(std::uint32_t body, std::uint32_t triangle,
                        const std::array<double, 3>& weights) const;
 
@@ -41,31 +41,32 @@ class Geometry {
     SurfacePoint point;
     double distanceMm = 0;
   };
-  /// The first surface from a point in space. Embree finds the triangle with single precision;
-  /// where on it the ray meets it is computed anew with double.
+  /// The first surface from a point in space. Embree finds the triangle in single precision; the
+  /// point on it is then computed in double.
   std::optional<Hit> closestHit(const Vector& origin, const Vector& direction) const;
 
-  /// The same from a point of the surface, on the side that the direction leads to; that triangle
-  /// itself is left out.
+  /// The same from a point of the surface, on the side to which the direction leads. The point's
+  /// own triangle is ignored.
   std::optional<Hit> closestHit(const SurfacePoint& from, const Vector& direction) const;
 
   /// Whether something lies between a point of the surface and a place that far away in a unit
-  /// direction. Rays start at the side of the facet that the direction leads to.
+  /// direction. Rays start on the side of the facet to which the direction leads.
   bool occluded(const SurfacePoint& from, const Vector& direction,
                 double distanceMm = std::numeric_limits<double>::infinity()) const;
 
-  /// Of the bodies that are one with this one, that whose surface is nearest to a place in it.
+  /// The part of this body, among the bodies that form one whole with it, whose surface is nearest
+  /// to a place inside.
   std::uint32_t nearestPart(std::uint32_t body, const Vector& place) const;
 
-  /// How far rays start off the surface, mm: a few units in the last place of the single-precision
-  /// coordinates. Nothing thinner or nearer can shade.
+  /// How far from the surface rays start, mm: a few units in the last place of the single-precision
+  /// coordinates. Nothing thinner or nearer can cast a shadow.
   double offsetMm() const { return offsetMm_; }
 
  private:
   struct Device;
 
   Vector startOf(const SurfacePoint& from, const Vector& direction) const;
-  /// The first surface, one triangle left out.
+  /// The first surface, ignoring one triangle.
   std::optional<Hit> closestBut(std::uint32_t body, std::uint32_t triangle, const Vector& origin,
                                 const Vector& direction) const;
 

@@ -23,8 +23,8 @@ double areaOf(const Body& body) {
   return sum;
 }
 
-/// The borders of shadows are followed down to a size that makes their share of the error about the
-/// tolerance: with patches of h across a border, B beside it is off by about h/30 mean free paths.
+/// The borders of shadows are refined until their share of the error is about the tolerance. With
+/// patches of size h across a border, B beside it is off by about h/30 mean free paths.
 PatchOptions patchOptions(double diagonalMm, double depthMm, const IntegralOptions& integral) {
   const double tolerance = integral.tolerance;
   PatchOptions options;
@@ -36,7 +36,7 @@ PatchOptions patchOptions(double diagonalMm, double depthMm, const IntegralOptio
   return options;
 }
 
-// A surface so rugged that shadows are everywhere is followed less far; the error tells.
+// A surface so rugged that shadows are everywhere is refined less; the error reports it.
 Patches makeBoundedPatches(const Geometry& geometry, const Irradiance& irradiance,
                            std::uint32_t body, PatchOptions options) {
   constexpr std::size_t usual = 800'000;
@@ -48,7 +48,7 @@ Patches makeBoundedPatches(const Geometry& geometry, const Irradiance& irradianc
   return *makePatches(geometry, irradiance, body, options);
 }
 
-// Of all that is one body with this one.
+// The patches of all parts of the body that this one belongs to.
 Patches patchesOfWhole(const Geometry& geometry, const Irradiance& irradiance, std::uint32_t body,
                        const PatchOptions& options) {
   Patches all;
@@ -69,8 +69,8 @@ double areaOfWhole(const Scene& scene, std::uint32_t body) {
   return area;
 }
 
-/// Sums what the nodes of a tree contribute to one point. The pieces whose contributions are least
-/// certain are divided until the rest is certain enough.
+/// Sums what the nodes of a tree contribute to one point. The pieces with the least certain
+/// contributions are divided until the sum is certain enough.
 class Summation {
  public:
   Summation(const SourceTree& tree, const std::array<Kernel, 3>& kernels, double depthMm,
@@ -80,7 +80,8 @@ class Summation {
   Exitance sum(double tolerance, const Colour& negligible) {
     negligible_ = negligible;
     addNode(0);
-    // A guard against tolerances that rounding cannot meet; what is left is in the error.
+    // A guard against tolerances that rounding cannot meet. The remaining uncertainty is in the
+    // error.
     constexpr std::size_t mostPieces = 1U << 22U;
     while (!isCertain(tolerance) && !heap_.empty() && pieces_.size() < mostPieces) divideWorst();
     return total();
@@ -93,15 +94,15 @@ class Summation {
     Contribution contribution;
     Colour smoothError{};
     Colour borderVariance{};
-    std::uint32_t node = none;  ///< or a part of a patch
+    std::uint32_t node = none;  ///< none: part of a patch
     std::uint32_t part = none;
     bool isDivided = false;
   };
   struct Part {
     std::uint32_t patch;
     SubTriangle triangle;
-    Colour smoothError{};     ///< of the flux; a quarter for each division
-    Colour borderVariance{};  ///< likewise, so that all parts together have the patch's
+    Colour smoothError{};     ///< of the flux; each division quarters it
+    Colour borderVariance{};  ///< likewise, so that a patch's parts add up to its variance
   };
   struct Entry {
     double uncertainty;

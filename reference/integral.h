@@ -16,7 +16,7 @@ namespace opaline::reference {
 struct IntegralOptions {
   Transport transport = Transport::Dipole;
   double tolerance = 1e-3;  ///< of B, relative, in [1e-7, 0.5]
-  std::stop_token stop;     ///< ends what takes long in making an Integral
+  std::stop_token stop;     ///< ends lengthy work while an Integral is made
 };
 
 /// The exact surface integral B(x_o) = ∫ E(x_i) R_d(|x_i - x_o|) dA over the body that x_o is on
@@ -26,12 +26,12 @@ class Integral {
   /// Finds E all over the surface. Throws UsageError for options out of range, and Stopped.
   Integral(const Geometry& geometry, const Irradiance& irradiance, const IntegralOptions& options);
 
-  /// B at a point of a medium's surface. May be called from several threads at once. The error is a
-  /// bound of what the summation leaves out, plus an estimate of what E's interpolation and the
-  /// borders of shadows do.
+  /// B at a point of a medium's surface. Thread-safe. The error is a bound on what the summation
+  /// leaves out, plus an estimate of the errors from interpolating E and from the borders of
+  /// shadows.
   Exitance at(const SurfacePoint& point) const;
 
-  /// Of all bodies.
+  /// The total over all bodies.
   std::size_t patchCount() const;
 
  private:
@@ -42,7 +42,7 @@ class Integral {
     SourceTree tree;
   };
 
-  std::vector<std::optional<BodySources>> bodies_;  ///< none of opaque ones
+  std::vector<std::optional<BodySources>> bodies_;  ///< none for opaque bodies
   double tolerance_;
 };
 

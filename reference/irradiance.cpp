@@ -16,8 +16,8 @@ namespace opaline::reference {
 
 namespace {
 
-// Over the whole sphere. The shadow of each has a border, between which the next is a degree or two
-// away.
+// Rays over the whole sphere. Each casts a shadow, and the borders of neighbouring shadows are a
+// degree or two apart.
 constexpr int skyRays = 1024;
 
 /// Light that arrives at a point: the direction it comes from, how far, and the irradiance on a
@@ -38,7 +38,8 @@ Arriving arrivingFrom(const Light& light, const Vector& position) {
   return {direction, distance, light.falloff(-dot(direction, light.axis)) / squared};
 }
 
-/// Part of a light's irradiance of what faces it; 0 for the index of refraction of what is opaque.
+/// The part of a light's irradiance that enters a surface, per irradiance of a surface facing the
+/// light. An index of refraction of 0 stands for an opaque surface.
 double entering(double eta, double cosine) {
   return eta > 0 ? cosine * (1 - bssrdf::fresnelReflectance(eta, cosine)) : cosine;
 }
@@ -89,7 +90,7 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry),
   }
 }
 
-// All of it, by what the rays that meet nothing have of what all have.
+// The light of the whole sky, times what unobstructed rays carry of the light of all rays.
 Colour Irradiance::skyAt(const SurfacePoint& point, const Vector& outside) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
   Colour sky = ambient.sky.at(point.shadingNormal);
@@ -114,14 +115,14 @@ Colour Irradiance::skyAt(const SurfacePoint& point, const Vector& outside) const
 
 Colour Irradiance::operator()(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  // The side of the facet that the interpolated normal is on is the outside.
+  // The outside is the side of the facet on which the interpolated normal lies.
   const Vector outside =
       dot(point.facetNormal, point.shadingNormal) < 0 ? -point.facetNormal : point.facetNormal;
   Colour sum = skyAt(point, outside);
   for (const Light& light : lights_) {
     const Arriving arriving = arrivingFrom(light, point.position);
     const double cosine = std::min(dot(point.shadingNormal, arriving.direction), 1.0);
-    // What lies behind its own facet is in the body's shadow.
+    // Light from behind the facet is blocked by the body itself.
     if (cosine <= 0 || dot(outside, arriving.direction) <= 0 || arriving.falloff <= 0) continue;
     if (geometry_.occluded(point, arriving.direction, arriving.distanceMm)) continue;
     const double part = entering(ambient.eta, cosine) * arriving.falloff;

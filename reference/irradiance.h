@@ -10,20 +10,20 @@
 
 namespace opaline::reference {
 
-/// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
-/// point, spot and area lights with exact Fresnel transmittance and exact shadows; ambient light
-/// and environment unshadowed, or where that is asked for shadowed as by many lights all around. Of
-/// opaque bodies all that arrives, always shadowed.
+/// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9). Directional,
+/// point, spot and area lights have exact Fresnel transmittance and exact shadows. Ambient light
+/// and environment are unshadowed, or on request shadowed as by many lights all around. For opaque
+/// bodies it is all light that arrives, always shadowed.
 class Irradiance {
  public:
   enum class Sky : std::uint8_t { Unshadowed, Shadowed };
   explicit Irradiance(const Geometry& geometry, Sky sky = Sky::Unshadowed);
 
-  /// E at a point of the surface. May be called from several threads at once.
+  /// E at a point of the surface. Thread-safe.
   Colour operator()(const SurfacePoint& point) const;
 
-  /// The brightest that a surface can be: every light facing it at the distance of the point.
-  /// For telling what is negligible.
+  /// The largest irradiance that is possible: every light facing the surface at the point's
+  /// distance. It serves to tell what is negligible.
   Colour facing(const SurfacePoint& point) const;
 
  private:
@@ -31,19 +31,19 @@ class Irradiance {
     bool isPoint = false;
     Vector place{};  ///< unit direction to it, or position in mm
     Colour power{};  ///< irradiance, or intensity
-    Vector axis{};   ///< where a spot light shines to
+    Vector axis{};   ///< the direction of a spot light
     SpotFalloff falloff{};
   };
   struct Ambient {
-    double eta = 0;  ///< 0: all that arrives
+    double eta = 0;  ///< 0: all light that arrives counts
     SkyTable sky;
   };
 
-  /// What falls on a surface from an area light, by places all over it.
+  /// Irradiance from an area light, by places all over it.
   Colour fromArea(const AreaLight& light, const SurfacePoint& point, const Vector& outside,
                   double eta) const;
 
-  /// One of many directions that stand for the same solid angle.
+  /// One of many directions, each standing for the same solid angle.
   struct SkyRay {
     Vector direction{};
     Colour radiance{};
@@ -53,7 +53,7 @@ class Irradiance {
 
   const Geometry& geometry_;
   Sky sky_;
-  std::vector<SkyRay> skyRays_;  ///< for where the sky is shadowed
+  std::vector<SkyRay> skyRays_;  ///< where the sky is shadowed
   std::vector<Light> lights_;
   std::vector<AreaLight> areas_;
   std::vector<Ambient> ambients_;       ///< one for each index of refraction

@@ -46,10 +46,10 @@ std::array<double, 5> Kernel::operator()(double squaredMm2) const {
   return result;
 }
 
-// The fourth derivative is at most of the kind e^{-σd} d⁻⁷ with the distance d to the nearer
-// source, which changes by less than one moves. So the remainder exceeds the term at the centre by
-// less than ∫₀¹ 4 (1-t)³ (1-tx)⁻⁷ e^{tσρ} dt ≤ (1-x)⁻³ e^{σρ}, x = ρ/d; ∫₀¹ 4 (1-t)³ (1-tx)⁻⁵ dt is
-// 1/(1-x).
+// The fourth derivative is at most of the form e^{-σd} d⁻⁷, where d is the distance to the nearer
+// source. Moving changes d by no more than the distance moved. So the remainder exceeds the term at
+// the centre by less than ∫₀¹ 4 (1-t)³ (1-tx)⁻⁷ e^{tσρ} dt ≤ (1-x)⁻³ e^{σρ}, x = ρ/d; ∫₀¹ 4 (1-t)³
+// (1-tx)⁻⁵ dt is 1/(1-x).
 double Kernel::growth(double squaredMm2, double radiusMm) const {
   const double depth = poles_[0].depthMm;
   const double share = 1 - radiusMm / std::sqrt(squaredMm2 + depth * depth);

@@ -13,18 +13,20 @@ class Kernel {
  public:
   explicit Kernel(const bssrdf::Profile& profile);
 
-  /// G₀ … G₄ at the distance whose square is given.
+  /// G₀ … G₄ at a distance, given its square.
   std::array<double, 5> operator()(double squaredMm2) const;
 
-  /// By how much the remainder of a Taylor expansion to third order, over a ball of that radius at
-  /// that distance, may exceed its term of fourth order at the centre.
+  /// The factor by which the remainder of a third-order Taylor expansion, over a ball of that
+  /// radius at that distance, may exceed its fourth-order term at the centre.
   double growth(double squaredMm2, double radiusMm) const;
 
-  /// The depth of the source nearest to the surface, mm: nothing changes over less.
+  /// The depth of the source nearest to the surface, mm. The kernel does not vary on smaller
+  /// scales.
   double depthMm() const { return poles_[0].depthMm; }
 
  private:
-  /// Weights of g₀ = e^{-σd}/d and of g₁ = -g₀'/d, at distance d from a source at that depth.
+  /// Weights of g₀ = e^{-σd}/d and g₁ = -g₀'/d, where d is the distance from a source at that
+  /// depth.
   struct Pole {
     double depthMm = 0;
     double fluence = 0;

@@ -26,10 +26,10 @@ constexpr std::array<std::array<std::size_t, 3>, 10> triples{{{0, 0, 0},
                                                               {1, 1, 2},
                                                               {1, 2, 2},
                                                               {2, 2, 2}}};
-/// How often each stands in the tensor.
+/// How often each entry occurs in the tensor.
 constexpr std::array<double, 10> multiplicity{1, 3, 3, 3, 6, 3, 1, 3, 3, 1};
 
-/// Place of an entry of a symmetric matrix in the order xx yy zz yz zx xy.
+/// Index of a symmetric matrix's entry in the order xx yy zz yz zx xy.
 constexpr std::array<std::array<std::size_t, 3>, 3> pairPlace{{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};
 
 std::array<double, 10> triple(const Vector& v) {
@@ -40,7 +40,8 @@ std::array<double, 10> triple(const Vector& v) {
   return result;
 }
 
-/// Adds a piece's moments to those about a centre that is `-shift` away from its own.
+/// Adds a piece's moments to those about another centre, which is `-shift` away from the piece's
+/// own.
 void addShifted(const Moments::Channel& from, const Vector& shift, Moments::Channel& to) {
   const std::array<double, 6> square = outer(shift);
   const Vector& f = from.first;
@@ -164,7 +165,7 @@ Contribution contribution(const Moments& moments, const Vector& place,
     result.exitance[c] = g[0] * channel.flux +
                          g[1] * (dot(d, channel.first) - 0.5 * (m[0] + m[1] + m[2])) +
                          0.5 * g[2] * (w2 - wDelta2) + g[3] / 6 * w3;
-    // The largest of the terms of fourth order over all directions of δ.
+    // The largest fourth-order term over all directions of δ.
     const double along = g[2] / 8 - squared * (g[3] / 4 - squared * g[4] / 24);
     const double term = std::max({g[2] / 8, std::abs(along), 0.375 * g[3] * g[3] / g[4]});
     result.bound[c] = term * kernels[c].growth(squared, moments.radiusMm) * channel.fourth;

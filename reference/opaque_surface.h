@@ -10,27 +10,27 @@ namespace opaline::reference {
 struct OpaqueSurface {
   Colour diffuse{};      ///< share of light given back diffusely, less by what is mirrored
   Colour through{};      ///< share of light on the other side that leaves here diffusely, the same
-  Colour dielectric{};   ///< F₀ of the part that is no metal
+  Colour dielectric{};   ///< F₀ of the part that is not metal
   double grazing = 0;    ///< F₉₀ of that part
   Colour metal{};        ///< F₀ of metal
-  double metallic = 0;   ///< share that is metal
+  double metallic = 0;   ///< share of the surface that is metal
   double alpha = 1;      ///< roughness²
-  double occlusion = 1;  ///< share of light that does not come straight from a light
+  double occlusion = 1;  ///< factor on light not straight from a light
   Colour emission{};     ///< radiance
-  bool unlit = false;    ///< its radiance is `emission`, whatever the light
+  bool unlit = false;    ///< radiance is `emission` under any light
 };
 
 /// The body must be opaque.
 OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
 
-/// All that it gives back of light from everywhere in one channel, as if it were matt.
+/// The share of even light that it returns in one channel, treated as if it were matt.
 double mattShare(const OpaqueSurface& surface, std::size_t channel);
 
-/// What it gives back of light in a medium that it is in contact with: nothing lies between the two
-/// that would mirror it, but for metal.
+/// The share of light that it returns in a medium touching it. Only metal mirrors there, since no
+/// boundary lies between the two.
 double shareInMedium(const OpaqueSurface& surface, std::size_t channel);
 
-/// Whether alpha is less than its cutoff, so that there is no surface.
+/// Whether alpha is below the cutoff, so that the surface has a hole.
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights);
 
 }  // namespace opaline::reference

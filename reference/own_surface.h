@@ -7,14 +7,15 @@
 
 namespace opaline::reference {
 
-/// Of an opaque body or of the surface of a translucent one.
+/// The normal texture of an opaque body, or of a translucent body's surface.
 const std::optional<Texture>& normalTextureOf(const Body& body);
 
-/// The normal that the body's normal texture tells where that of the mesh is `ofMesh`; without a
-/// texture, that one.
+/// The normal from the body's normal texture where the mesh has the normal `ofMesh`; without a
+/// texture `ofMesh` itself.
 Vector normalAt(const Body& body, const SurfacePoint& point, const Vector& ofMesh);
 
-/// Roughness² of a translucent body's surface; `standard` is the roughness where it states none.
+/// Roughness² of a translucent body's surface. `standard` is the roughness where the body has none
+/// of its own.
 double alphaAt(const Body& body, const SurfacePoint& point, double standard);
 
 }  // namespace opaline::reference

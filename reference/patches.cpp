@@ -49,7 +49,7 @@ Matrix6 inverse(Matrix6 a) {
   return result;
 }
 
-/// From values at the rule's points to coefficients of the monomials.
+/// The matrix from values at the rule's points to coefficients of the monomials.
 const Matrix6& interpolation() {
   static const Matrix6 matrix = [] {
     Matrix6 values{};
@@ -88,7 +88,7 @@ double longestEdge(const std::array<Vector, 3>& corners) {
 
 using Values = std::array<Colour, 6>;
 
-/// One triangle of the mesh.
+/// Divides one triangle of the mesh.
 class Divider {
  public:
   Divider(const Geometry& geometry, const Irradiance& irradiance, const PatchOptions& options,
@@ -112,7 +112,7 @@ class Divider {
   }
 
  private:
-  // Sizes end the division long before.
+  // Division ends by size long before.
   static constexpr int mostLevels = 24;
 
   Values sample(const SubTriangle& part) const {
@@ -187,7 +187,7 @@ class Divider {
     add(patch, moments, patches);
   }
 
-  // Takes back a division that only size asked for.
+  // Undoes a division that was made for its size only.
   void join(const SubTriangle& part, const Values& values, Colour error, std::size_t before,
             Patches& patches) const {
     if (patches.size() > before + 4) return;
@@ -199,8 +199,8 @@ class Divider {
     addSmooth(part, values, error, patches);
   }
 
-  // Of 24 samples' pieces the border cuts off some wholly and some not at all: it errs by about a
-  // tenth of the patch. Patches err independently.
+  // Each of the pieces of 24 samples is wholly on one side of the border or the other, so the
+  // border's error is about a tenth of the patch. Errors of patches are independent.
   void addBorder(const SubTriangle& part, const std::array<Values, 4>& finer,
                  Patches& patches) const {
     constexpr double uncertainPart = 0.1;

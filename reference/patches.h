@@ -12,24 +12,24 @@
 
 namespace opaline::reference {
 
-/// A triangle of the plane of weights: its corners as weights of a larger triangle's second and
-/// third corner.
+/// A triangle in the plane of weights: its corners, each as weights of the second and third corner
+/// of a larger triangle.
 using SubTriangle = std::array<std::array<double, 2>, 3>;
 
 constexpr SubTriangle wholeTriangle{{{0, 0}, {1, 0}, {0, 1}}};
 
-/// Its four equal parts.
+/// The four equal parts of a triangle.
 std::array<SubTriangle, 4> quarters(const SubTriangle& triangle);
 
-/// The six points of the rule of degree 4 (Strang and Fix 1973), as weights of the three corners,
-/// and what part of the area each stands for.
+/// The six points of the rule of degree 4 (Strang and Fix 1973): their weights of the three
+/// corners, and the part of the area that each represents.
 struct RulePoint {
   std::array<double, 3> weights;
   double part;
 };
 const std::array<RulePoint, 6>& triangleRule();
 
-/// E over a triangle as the quadratic polynomial through its values at the six points of the rule.
+/// E over a triangle as the quadratic polynomial through its values at the rule's six points.
 class QuadraticE {
  public:
   QuadraticE() = default;
@@ -43,20 +43,20 @@ class QuadraticE {
   std::array<Colour, 6> coefficients_{};  ///< of 1, u, v, u², uv, v²
 };
 
-/// A piece of the surface over which E is known, so that it may be divided without another ray.
+/// A piece of the surface with known E, so that it can be divided without more rays.
 struct Patch {
   std::array<Vector, 3> corners{};
-  QuadraticE irradiance;  ///< its mean where a border of shadow crosses
+  QuadraticE irradiance;  ///< constant, the mean, where a border of shadow crosses
 };
 
-/// The moments of a part of a patch, exactly.
+/// The exact moments of a part of a patch.
 Moments momentsOf(const Patch& patch, const SubTriangle& part);
 
-/// Patches and the moments of each as a whole.
+/// Patches, and the moments of each as a whole.
 struct Patches {
   std::vector<Patch> patches;
   std::vector<Moments> moments;
-  std::size_t withBorders = 0;  ///< how many a border of shadow crosses
+  std::size_t withBorders = 0;  ///< those that a border of shadow crosses
 
   std::size_t size() const { return patches.size(); }
 };
@@ -64,14 +64,13 @@ struct Patches {
 struct PatchOptions {
   double tolerance = 1e-3;  ///< of E's interpolation, relative
   double largestMm = 0;     ///< edge above which samples could miss a shadow
-  double smallestMm = 0;    ///< edge below which a border of shadow is not followed any further
+  double smallestMm = 0;    ///< edge below which borders of shadow are not refined
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< patches
   std::stop_token stop;
 };
 
 /// Divides a body's surface into patches, in the order of its triangles, whatever the number of
-/// threads. Patches without light are left out. Nothing when there would be too many. Throws
-/// Stopped.
+/// threads. Dark patches are left out. None when there would be too many patches. Throws Stopped.
 std::optional<Patches> makePatches(const Geometry& geometry, const Irradiance& irradiance,
                                    std::uint32_t body, const PatchOptions& options);
 

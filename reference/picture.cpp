@@ -56,7 +56,7 @@ struct PixelSum {
   Colour value{};
   Colour error{};
   int hits = 0;
-  Colour behind{};  ///< of those that see no surface but something else
+  Colour behind{};  ///< samples that see an emitter or sky instead of a surface
   int others = 0;
 };
 
@@ -131,7 +131,8 @@ class Painter {
     }
   }
 
-  // The light before a surface at that distance, or what is behind where there is none.
+  // The light in front of a surface at that distance, or what is behind everything where there is
+  // no surface.
   std::optional<Colour> lookPast(const Ray& ray, double distanceMm) const {
     const Lighting& lighting = geometry_.scene().lighting;
     const AreaLight* seen = nullptr;
@@ -150,7 +151,7 @@ class Painter {
     return behind;
   }
 
-  /// Towards the side that is seen.
+  /// The shading normal on the visible side.
   static Vector seenNormal(const SurfacePoint& point, const Ray& ray) {
     return dot(point.facetNormal, ray.direction) > 0 ? -point.shadingNormal : point.shadingNormal;
   }

@@ -14,7 +14,7 @@
 
 namespace opaline::reference {
 
-/// A rectangle of pixels, from the upper left corner.
+/// A rectangle of pixels, given by its upper left corner and size.
 struct Region {
   int x = 0;
   int y = 0;
@@ -22,57 +22,57 @@ struct Region {
   int height = 0;
 };
 
-/// Of paths from the eye.
+/// Options of paths from the eye.
 struct EyePathOptions {
-  bool specular = true;     ///< whether what is seen shows what it mirrors
-  double roughness = 0.25;  ///< of the surface of media that state none
+  bool specular = true;     ///< shows what visible surfaces mirror
+  double roughness = 0.25;  ///< of media that have none of their own
 };
 
-/// Which pixels of which variable; those left out are not covered.
+/// Which pixels of which variable. Pixels left out count as not covered.
 struct PictureOptions {
   int width = 1024;                ///< pixels, in [1, 16384]
   int height = 1024;               ///< pixels, in [1, 16384]
-  Aov aov = Aov::Radiance;         ///< but for those of the diffusion source map
-  int antialias = 4;               ///< samples a pixel of Aov::Radiance: 1, 2, 4 or 8
-  bool environmentBehind = false;  ///< of Aov::Radiance, where no surface is
+  Aov aov = Aov::Radiance;         ///< any but those of the diffusion source map
+  int antialias = 4;               ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+  bool environmentBehind = false;  ///< for Aov::Radiance, where there is no surface
   std::optional<Region> region;
-  int every = 1;          ///< only columns and rows whose number is a multiple of this
-  int pathsOfPixel = 64;  ///< of path tracing, from the eye, in [1, 1e6]
+  int every = 1;          ///< render only columns and rows that are multiples of this
+  int pathsOfPixel = 64;  ///< in path tracing, from the eye, in [1, 1e6]
   EyePathOptions eye;
 };
 
 /// Throws UsageError for options out of range.
 void requireSound(const PictureOptions& options);
 
-/// A look at a point of a surface.
+/// A point of a surface as the eye sees it.
 struct Look {
   const SurfacePoint& point;
   Vector toEye;
-  bool radiance;         ///< else exitance: of what arrives, the share that is given back diffusely
+  bool radiance;         ///< else exitance: the share of arriving light that is reflected diffusely
   std::uint64_t number;  ///< of this look among all of a picture
 };
 
-/// What leaves the surface, by whatever way light got there. The functions are called from several
+/// The light that leaves the surface, however it got there. The functions are called from several
 /// threads at once.
 struct LeavingLight {
-  /// Of a medium.
+  /// The exitance of a medium.
   std::function<Exitance(const SurfacePoint& point)> exitance;
-  /// Per body: radiance per exitance without the Fresnel transmittance towards the camera, 1/π for
-  /// Eq. 5 of Gong et al. 2008.
+  /// Per body: radiance per exitance, without the Fresnel transmittance towards the camera. It is
+  /// 1/π for Eq. 5 of Gong et al. 2008.
   std::vector<double> exitFactor;
-  /// Of an opaque body, its mean and one standard error.
+  /// The light of an opaque body: its mean and one standard error.
   std::function<Exitance(const Look& look)> look;
-  /// Whether that knows radiance of media too, with what they mirror.
+  /// Whether `look` also gives the radiance of media, with what they mirror.
   bool looksAtMedia = false;
 };
 
-/// What opaque bodies give back of the light of lights and sky alone, but for reflections.
+/// What opaque bodies reflect diffusely of light that comes straight from lights and sky.
 Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const Look& look);
 
-/// 1/π for the classic dipole; with the energy-conserving exit of d'Eon 2012, 1/(π F̄_t).
+/// 1/π for the classic dipole; 1/(π F̄_t) with the energy-conserving exit of d'Eon 2012.
 std::vector<double> exitFactors(const Scene& scene, Transport transport);
 
-/// How far the pixels' values may be off, relative to each channel of each, over those that shine.
+/// Errors of the pixels' values, relative to each channel, over the pixels that are lit.
 struct ErrorSummary {
   double mean = 0;
   double percentile95 = 0;
@@ -82,13 +82,13 @@ struct ErrorSummary {
 struct Picture {
   Image image;
   std::size_t pixels = 0;  ///< that see a surface
-  ErrorSummary error;      ///< nothing for variables that are exact
+  ErrorSummary error;      ///< empty for variables that are exact
 };
 
-/// Whether the variable needs what leaves the surface.
+/// Whether the variable depends on the light that leaves the surface.
 bool showsExitance(Aov aov);
 
-/// Called now and then, by one thread at a time but not always the same.
+/// Called now and then, by one thread at a time but not always the same one.
 using PictureProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Throws UsageError for options out of range. The result does not depend on the number of threads.

@@ -32,8 +32,8 @@ deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
 
 namespace {
 
-// It stands still, and a hair lower than it says: what stands on it has a surface of its own there,
-// which rays must meet first.
+// The ground does not move. It lies slightly lower than stated: bodies standing on it have their
+// own surface there, which rays must hit first.
 void placeGround(const opaline::Scene& scene, const Object& ground, Body& body) {
   const double hair = std::ldexp(double{diagonalMm(scene)}, -19);
   for (const Vec3& p : ground.mesh.positionsMm)

@@ -11,7 +11,7 @@
 
 namespace opaline::reference {
 
-/// An object as it is in that pose at that time, under the scene's deformers.
+/// An object in that pose and at that time, with the scene's deformers.
 deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
                                 const scene::Pose& pose, double seconds,
                                 const PositionsByObject& positionsMm);

@@ -9,7 +9,7 @@ namespace opaline::reference {
 
 void onThreads(int threads, const std::function<void()>& work) {
   if (threads <= 0) return work();
-  // TBB complains on standard error about more than there are.
+  // TBB complains on standard error about more threads than there are.
   tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
 }
 

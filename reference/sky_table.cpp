@@ -9,7 +9,7 @@ namespace opaline::reference {
 
 namespace {
 
-constexpr int rows = 96;  // of cells; one more of nodes
+constexpr int rows = 96;  // of cells; nodes have one more
 constexpr int columns = 192;
 
 }  // namespace

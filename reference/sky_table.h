@@ -7,8 +7,8 @@
 
 namespace opaline::reference {
 
-/// SkyIrradiance by normal, tabulated: an integral asks for it a million times. Interpolation adds
-/// an error of about 1e-4.
+/// SkyIrradiance tabulated by normal, since an integral needs it a million times. Interpolation
+/// adds an error of about 1e-4.
 class SkyTable {
  public:
   explicit SkyTable(const SkyIrradiance& irradiance);

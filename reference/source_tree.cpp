@@ -9,7 +9,7 @@ namespace opaline::reference {
 
 namespace {
 
-/// Halves a range where its box is longest.
+/// Halves a range along the longest edge of its box.
 std::uint32_t* halve(std::uint32_t* begin, std::uint32_t* end,
                      const std::vector<Moments>& moments) {
   Vector least = moments[*begin].centre;
@@ -24,7 +24,7 @@ std::uint32_t* halve(std::uint32_t* begin, std::uint32_t* end,
   const auto axis =
       static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
   std::uint32_t* middle = begin + (end - begin) / 2;
-  // The index decides between equals, so that the order is always the same.
+  // The index breaks ties, so that the order is always the same.
   std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(moments[a].centre[axis], a) < std::pair(moments[b].centre[axis], b);
   });

@@ -9,7 +9,8 @@
 
 namespace opaline::reference {
 
-/// A hierarchy over the patches of one body: four children a node, of about as many patches each.
+/// A hierarchy over the patches of one body. Each node has four children with about as many patches
+/// each.
 class SourceTree {
  public:
   /// Throws Stopped.
@@ -17,8 +18,8 @@ class SourceTree {
 
   struct Node {
     Moments moments;
-    std::uint32_t first = 0;  ///< child, or patch where there are no children
-    std::uint32_t count = 0;  ///< of children, which lie one after the other
+    std::uint32_t first = 0;  ///< child, or patch if there are no children
+    std::uint32_t count = 0;  ///< of children, which are consecutive
   };
 
   bool isEmpty() const { return nodes_.empty(); }

@@ -16,14 +16,14 @@ double wrapped(double at, TextureWrap wrap) {
   return std::fmod(std::floor(at), 2.0) == 0 ? part : 1 - part;
 }
 
-// Place of a pixel beside the border, as a picture without an end has it.
+// The index of a pixel beside the border, as the texture continues there.
 int neighbour(int at, int size, TextureWrap wrap) {
   if (at >= 0 && at < size) return at;
   if (wrap == TextureWrap::Repeat) return (at + size) % size;
   return std::clamp(at, 0, size - 1);
 }
 
-/// A channel of a texture.
+/// One channel of a texture.
 struct Channel {
   const Texture& texture;
   std::size_t index;

@@ -13,12 +13,12 @@ enum class TexelKind {
   Number,
 };
 
-/// One channel of a texture at a point of a body, between its pixels linear; 1 where there is no
+/// One channel of a texture at a point of a body, interpolated linearly between pixels; 1 without a
 /// texture.
 double textureAt(const Body& body, const SurfacePoint& point, const std::optional<Texture>& texture,
                  std::size_t channel, TexelKind kind);
 
-/// One channel of the colours of a body's vertices; 1 where they have none.
+/// One channel of the vertex colours of a body; 1 where it has none.
 double vertexColorAt(const Body& body, const SurfacePoint& point, std::size_t channel);
 
 }  // namespace opaline::reference

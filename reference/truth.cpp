@@ -27,7 +27,7 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
 
 namespace {
 
-// By many paths, from a sequence of random numbers for each look.
+// The mean of many paths, with a random sequence for each look.
 Exitance seenByPaths(const EyePaths& paths, const Look& look, int number, std::uint64_t seed) {
   constexpr std::uint64_t apartFromParticles = 0x5EED0FE7E;
   Random random(seed + apartFromParticles, look.number);
@@ -81,7 +81,7 @@ double shareDone(const PathLimits& limits, std::uint64_t particles, double secon
     share =
         std::max(share, static_cast<double>(particles) / static_cast<double>(*limits.particles));
   if (limits.seconds) share = std::max(share, seconds / *limits.seconds);
-  // Errors fall with the root of the work.
+  // The error falls with the square root of the work.
   if (limits.error) share = std::max(share, (*limits.error / error) * (*limits.error / error));
   return std::min(share, 1.0);
 }

@@ -13,7 +13,7 @@
 
 namespace opaline::reference {
 
-/// There is an integral of half-spaces alone, so that boundary transport is judged by the dipole's.
+/// Only half-spaces have an integral, so boundary transport is judged by the dipole's.
 Transport transportOfIntegral(Transport transport);
 
 struct IntegralTruth {
@@ -21,19 +21,19 @@ struct IntegralTruth {
   std::size_t patches = 0;
 };
 
-/// The exact surface integral, where the variable needs it.
+/// A picture by the exact surface integral, where the variable needs it.
 IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradiance,
                             const IntegralOptions& integral, const PictureOptions& picture,
                             const PictureProgress& progress);
 
-/// What the particles followed so far show.
+/// The picture that the particles traced so far show.
 Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irradiance& irradiance,
                   const PictureOptions& picture, const PictureProgress& progress = {});
 
-/// The limits as they are, or the usual one where there is none.
+/// The limits themselves, or the default one if none is set.
 PathLimits orUsual(const PathLimits& limits);
 
-/// How much of the way to the nearest limit is done, in [0, 1].
+/// The share of the way to the nearest limit, in [0, 1].
 double shareDone(const PathLimits& limits, std::uint64_t particles, double seconds, double error);
 
 }  // namespace opaline::reference

@@ -9,7 +9,7 @@
 
 namespace opaline::reference {
 
-/// Points in mm and directions. The same type as that of the deformed meshes.
+/// Points in mm, and directions. The same type as in the deformed meshes.
 using Vector = std::array<double, 3>;
 
 /// A light quantity per channel.
@@ -48,13 +48,14 @@ inline Vector cross(const Vector& a, const Vector& b) {
 inline double length(const Vector& a) {
   return std::sqrt(dot(a, a));
 }
-/// The direction of a vector, or another one where it has none.
+/// The direction of a vector, or `other` if it has none.
 inline Vector unitOr(const Vector& a, const Vector& other) {
   const double size = length(a);
   return size > 0 && std::isfinite(size) ? (1 / size) * a : other;
 }
 
-/// Two directions across a unit direction and each other, right-handed with it (Duff et al. 2017).
+/// Two directions orthogonal to a unit direction and each other, forming a right-handed frame with
+/// it (Duff et al. 2017).
 inline std::array<Vector, 2> across(const Vector& n) {
   const double sign = std::copysign(1.0, n[2]);
   const double a = -1 / (sign + n[2]);
@@ -63,7 +64,7 @@ inline std::array<Vector, 2> across(const Vector& n) {
           Vector{b, sign + n[1] * n[1] * a, -n[1]}};
 }
 
-/// The unit direction at that cosine to a unit axis, turned by `angle` about it.
+/// The unit direction at that cosine to a unit axis, rotated by `angle` about it.
 inline Vector around(const Vector& axis, double cosine, double angle) {
   const auto [x, y] = across(axis);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t mostParts = 64'000'000;
 
-/// Row and column in the triangle's grid and whether it stands on its tip. Weights 1 and 2 are the
-/// coordinates.
+/// A part's row and column in the triangle's grid, and whether it is upside down. Weights 1 and 2
+/// are the coordinates.
 struct PlaceOfPart {
   std::uint32_t row = 0;
   std::uint32_t column = 0;
@@ -46,7 +46,7 @@ struct CubeHash {
   }
 };
 
-// Row after row; weights 1 and 2 of its middle, by its index in the row.
+// Weights 1 and 2 of the middle of the k-th part in a row.
 std::array<double, 2> middleOfPart(std::uint32_t row, std::uint32_t k, double parts) {
   const double third = k % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
   return {(k / 2 + third) / parts, (row + third) / parts};

@@ -8,9 +8,9 @@
 
 namespace opaline::reference {
 
-/// Pieces of the surface of media, on which what leaves is counted. Triangles larger than a cell
-/// are halved into equal parts; parts that lie in one cube of that edge and look the same way, by
-/// the axis that their normal is nearest to, count as one.
+/// Pieces of the surface of media on which leaving light is counted. Triangles larger than a cell
+/// are divided into equal parts. Parts in one cube of that edge count as one cell if their normals
+/// are nearest to the same axis.
 class Cells {
  public:
   Cells(const Scene& scene, double edgeMm);
@@ -20,7 +20,7 @@ class Cells {
   /// The cell of a point of the surface.
   std::size_t at(const SurfacePoint& point) const;
 
-  /// A piece of a triangle, all in one cell.
+  /// A piece of a triangle within one cell.
   struct Part {
     std::size_t cell = 0;
     std::size_t body = 0;
@@ -28,7 +28,7 @@ class Cells {
     Vector middleMm{};
     Vector normal{};  ///< unit, of the triangle
   };
-  /// `scene` is that of the cells.
+  /// `scene` must be the one of the cells.
   void forEachPart(const Scene& scene, const std::function<void(const Part&)>& visit) const;
 
  private:

@@ -8,13 +8,13 @@ namespace opaline::reference {
 
 namespace {
 
-/// Along the longest edge of the box.
+/// Voxels along the longest edge of the box.
 constexpr double voxelsAlong = 160;
-/// Squared distance of what no voxel of the surface has been found for, in voxels.
+/// Squared distance, in voxels, before any voxel of the surface is found.
 constexpr float farAway = 1e12F;
 
-/// Squared distance to the nearest marked voxel along one line, in place: the lower envelope of
-/// parabolas.
+/// Computes the squared distance to the nearest marked voxel along one line, in place: the lower
+/// envelope of parabolas.
 class LineTransform {
  public:
   explicit LineTransform(std::size_t longest)
@@ -68,19 +68,19 @@ DistanceBound::DistanceBound(const Scene& scene) {
   const double edge = std::max({extent[0], extent[1], extent[2], 1e-12}) / voxelsAlong;
   voxelsPerMm_ = 1 / edge;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // One voxel more on either side, so that rounding leaves nothing outside.
+    // One more voxel on either side, so that rounding leaves nothing outside.
     originMm_[axis] = box.minMm[axis] - edge;
     size_[axis] = static_cast<std::size_t>(std::ceil(extent[axis] * voxelsPerMm_)) + 3;
   }
   boundMm_.assign(size_[0] * size_[1] * size_[2], farAway);
 
-  // Every voxel of a triangle's box is taken for touched, which only lowers the bound; large
-  // triangles are halved until that costs little.
+  // Every voxel in a triangle's box counts as touched, which only lowers the bound. Large triangles
+  // are halved until that costs little.
   struct Piece {
     Vector a, b, c;
   };
   std::vector<Piece> pieces;
-  // Opaque bodies may reach further than the grid.
+  // Opaque bodies may extend beyond the grid.
   const auto isOutside = [&](const Piece& piece) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [least, most] = std::minmax({piece.a[axis], piece.b[axis], piece.c[axis]});
@@ -139,7 +139,7 @@ DistanceBound::DistanceBound(const Scene& scene) {
       transform(&boundMm_[x * plane + z], size_[1], size_[2]);
   for (std::size_t i = 0; i < plane; ++i) transform(&boundMm_[i], size_[0], plane);
 
-  // Point and surface may each lie half a diagonal from the middle of their voxel.
+  // Point and surface may each be half a diagonal from the middle of their voxel.
   for (float& value : boundMm_)
     value = static_cast<float>(
         std::max(std::sqrt(static_cast<double>(value)) - std::sqrt(3.0), 0.0) * edge * 0.9999);

@@ -8,14 +8,14 @@
 
 namespace opaline::reference {
 
-/// A lower bound of the distance from any point inside a medium to a surface, mm, read off a grid:
-/// where a step is shorter, no ray need be cast. Exact distance transform of the voxels that
-/// triangles touch (Felzenszwalb and Huttenlocher 2012), less what a voxel hides.
+/// A lower bound in mm on the distance from a point inside a medium to the surface, read from a
+/// grid: a shorter step needs no ray. It is the exact distance transform of the voxels that
+/// triangles touch (Felzenszwalb and Huttenlocher 2012), less the uncertainty within a voxel.
 class DistanceBound {
  public:
   explicit DistanceBound(const Scene& scene);
 
-  /// 0 beside the surface and outside the grid.
+  /// 0 near the surface and outside the grid.
   double operator()(const Vector& point) const {
     std::size_t index = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

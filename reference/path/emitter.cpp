@@ -15,10 +15,10 @@ namespace {
 
 using std::numbers::pi;
 
-// Of a ground, what is nearer than so many radii of the bodies is lit by particles.
+// A ground is lit by particles up to this many radii of the bodies.
 constexpr double nearGround = 4;
 
-/// The brightest that a surface can be by itself.
+/// The most that a surface can emit.
 double mostEmitted(const OpaqueMaterial& material, std::size_t channel) {
   return double{material.unlit ? material.baseColor[channel] : material.emission[channel]};
 }
@@ -92,8 +92,8 @@ void Emitter::add(Source source, double flux) {
   sources_.push_back(source);
 }
 
-// Every place of a light shines into the cone from there that holds the scene, none of which is
-// wider than that from as near as one could be.
+// Light from every place of an area light goes into the cone that holds the scene. All places use
+// the angle of the nearest possible one, since no other cone is wider.
 void Emitter::addArea(std::size_t index, std::size_t channel) {
   const AreaLight& light = areas_[index];
   const double cosine = cosineOfScene(middleOf(light), reachMm(light));
@@ -169,7 +169,7 @@ Flight Emitter::nowhere() const {
   return {centre_ + Vector{0, 0, 2 * radiusMm_}, {0, 0, 1}};
 }
 
-// Uniform radiance through a sphere: uniform places, directions by the cosine.
+// Uniform radiance through a sphere: uniform places, and directions distributed by the cosine.
 Flight Emitter::fromAround(double radiusMm, Random& random) const {
   const double height = 2 * random() - 1;
   const Vector outward = around({0, 0, 1}, height, 2 * pi * random());

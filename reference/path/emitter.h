@@ -12,20 +12,20 @@
 
 namespace opaline::reference {
 
-/// All that shines in one channel of a scene, as a source of particles of equal flux. Directional
-/// lights and the environment shine on a disc that hides the ball around the scene, point lights
-/// into the cone that holds it, spot and area lights into that part of it which they shine on,
-/// constant ambient light through its whole surface. Where the scene has a ground, the ball is some
-/// times larger, and light of the ground beyond comes through the surface of the smaller one.
-/// Emission starts at the surface, to both sides.
+/// All light sources of a scene in one channel, emitting particles of equal flux. Directional
+/// lights and the environment shine on a disc that covers the ball around the scene. Point lights
+/// shine into the cone that holds the ball, spot and area lights into the part of it that they
+/// light. Constant ambient light comes through the ball's whole surface. Where the scene has a
+/// ground, the ball is some times larger, and light from the ground beyond comes through the
+/// surface of the smaller ball. Emissive surfaces emit to both sides.
 class Emitter {
  public:
-  /// The geometry must live as long.
+  /// The geometry must outlive it.
   Emitter(const Geometry& geometry, int channel);
 
-  /// Flux of all particles together.
+  /// The flux of all particles together.
   double flux() const { return flux_; }
-  /// One particle; many miss the scene. There must be flux.
+  /// Emits one particle; many miss the scene. Requires flux above 0.
   Flight emit(Random& random) const;
 
  private:
@@ -33,15 +33,15 @@ class Emitter {
   struct Source {
     Kind kind = Kind::Directional;
     Vector place{};        ///< direction to the light, or its position
-    double cosine = -1;    ///< of the cone to the scene, or of the disc that is seen
-    double fluxSoFar = 0;  ///< of this and all before
+    double cosine = -1;    ///< of the cone to the scene, or of the disc seen from it
+    double fluxSoFar = 0;  ///< of this light and all before it
     bool lightsFarGround = false;
-    Vector axis{};  ///< where a spot light shines to
+    Vector axis{};  ///< the direction of a spot light
     SpotFalloff falloff{};
-    std::size_t area = 0;  ///< which area light, or surface
+    std::size_t area = 0;  ///< index of the area light or surface
   };
 
-  /// The triangles of a body that shines.
+  /// The triangles of a body that emits light.
   struct Surface {
     std::uint32_t body = 0;
     std::vector<double> areasSoFarMm2;
@@ -49,14 +49,14 @@ class Emitter {
 
   void add(Source source, double flux);
   void addArea(std::size_t index, std::size_t channel);
-  /// The cone from there that holds the scene.
+  /// The cosine of the cone from a position that contains the scene.
   double cosineOfScene(const Vector& position, double reachMm = 0) const;
   void addSurface(std::uint32_t body);
   Flight throughDisc(const Vector& toLight, Random& random) const;
   static Vector fromCone(const Source& source, Random& random);
   Flight fromPoint(const Source& source, Random& random) const;
   Flight fromArea(const Source& source, Random& random) const;
-  /// Starts behind the scene and leaves it.
+  /// A flight that starts behind the scene and leaves it.
   Flight nowhere() const;
   Flight fromAround(double radiusMm, Random& random) const;
   Flight fromGround(Random& random) const;

@@ -22,13 +22,13 @@ double largest(const Colour& colour) {
   return std::max({colour[0], colour[1], colour[2]});
 }
 
-/// The sides of a point that the eye sees.
+/// A point's sides as seen by the eye.
 struct Sides {
   Vector outside{};  ///< of the facet
   Vector normal{};
 };
 
-// A normal that turns away from the eye is turned back.
+// A normal that faces away from the eye is turned round.
 Sides sidesOf(const Body& body, const SurfacePoint& point, const Vector& toEye) {
   const double side = dot(point.facetNormal, toEye) < 0 ? -1 : 1;
   Vector normal = side * normalAt(body, point, point.shadingNormal);
@@ -38,7 +38,7 @@ Sides sidesOf(const Body& body, const SurfacePoint& point, const Vector& toEye) 
   return {side * point.facetNormal, normal};
 }
 
-// What the same light is worth where two ways might have found it (Veach and Guibas 1995).
+// The weight of light that two strategies might have found (Veach and Guibas 1995).
 double balanced(double density, double other) {
   return density > 0 ? density / (density + other) : 1;
 }
@@ -63,7 +63,8 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
     mirrored_.push_back(body.opaque ? nullptr : &mirroredShareOfMedium(body.medium.eta));
 }
 
-// Of even light inside, as much goes towards the eye as is not mirrored of even light outside.
+// With even light inside, the light that leaves towards the eye is what a surface would not mirror
+// of even light outside.
 double EyePaths::leaving(std::uint32_t body, double alpha, double cosine) const {
   return exitFactors_[body] * (1 - (*mirrored_[body])(alpha, cosine));
 }
@@ -84,7 +85,7 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
           surface.occlusion, surface.unlit};
 }
 
-// Of the lights, each by one sample.
+// The light of all lights, by one sample each.
 Colour EyePaths::lightAt(const Vertex& vertex, Random& random) const {
   Colour sum{};
   lights_.forEach(vertex.point.position, random, [&](const LightSample& light) {
@@ -119,7 +120,7 @@ Colour EyePaths::follow(Vertex vertex, Random& random) const {
     });
     if (!hit || bounce >= tracer_.options().bounces) return sum;
     share = vertex.occlusion * share;
-    // Dark paths end by chance.
+    // Dark paths end at random.
     const double goesOn = bounce < certainBounces ? 1 : std::min(largest(share), 0.97);
     if (random() >= goesOn) return sum;
     share = (1 / goesOn) * share;

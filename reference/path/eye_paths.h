@@ -13,32 +13,32 @@
 
 namespace opaline::reference {
 
-/// Light of opaque surfaces and of what media mirror, by paths from the eye: at each point that a
-/// path meets every light is sampled, and one direction is followed. Where a path meets a medium,
-/// what leaves there is what particles have counted.
+/// Light from opaque surfaces, and light that media mirror, by paths from the eye. At each point of
+/// a path every light is sampled and one direction is followed. Where a path hits a medium, the
+/// light leaving it is what particles have counted.
 class EyePaths {
  public:
-  /// All must live as long.
+  /// All arguments must outlive it.
   EyePaths(const Geometry& geometry, const PathTracer& tracer, const EyePathOptions& options);
 
-  /// Radiance of a point, by one path.
+  /// The radiance of a point, by one path.
   Colour radiance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
-  /// What leaves an opaque body there diffusely, on the side of the eye.
+  /// The diffuse light that leaves an opaque body at a point, on the side of the eye.
   Colour exitance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
 
  private:
-  /// A point that a path has met.
+  /// A point that a path has reached.
   struct Vertex {
     SurfacePoint point;
     Reflection reflection;
-    Colour own{};          ///< radiance that it sends by itself
-    double occlusion = 1;  ///< share of light that does not come straight from a light
-    bool ends = false;     ///< no light that arrives matters
+    Colour own{};          ///< radiance that it emits
+    double occlusion = 1;  ///< factor on light that does not come straight from a light
+    bool ends = false;     ///< light that arrives does not matter
   };
   Vertex vertexAt(const SurfacePoint& point, const Vector& toEye, bool first) const;
   Colour follow(Vertex vertex, Random& random) const;
   Colour lightAt(const Vertex& vertex, Random& random) const;
-  /// Radiance per exitance of a medium, towards an eye at that cosine to its surface.
+  /// Radiance per exitance of a medium, towards an eye at that cosine.
   double leaving(std::uint32_t body, double alpha, double cosine) const;
 
   const Geometry& geometry_;
@@ -46,7 +46,7 @@ class EyePaths {
   EyePathOptions options_;
   LightSamples lights_;
   std::vector<double> exitFactors_;
-  std::vector<const MirroredShare*> mirrored_;  ///< of bodies; none of opaque ones
+  std::vector<const MirroredShare*> mirrored_;  ///< of bodies; null for opaque ones
 };
 
 }  // namespace opaline::reference

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 constexpr Vector up{0, 1, 0};
 
-// From so many radii on light is far away.
+// A light counts as far from this many radii on.
 constexpr double farLight = 2;
 
 }  // namespace
@@ -55,7 +55,7 @@ FarGround::FarGround(const Geometry& geometry, std::uint32_t ground, std::size_t
   }
 }
 
-// Not near the plane either, where it would light some place far more than the others.
+// Nor may it be near the plane, where it would light some places far more than others.
 bool FarGround::counts(const Vector& positionMm, double reachMm) const {
   return length(positionMm - centre_) - reachMm > farLight * nearMm_ &&
          positionMm[1] - reachMm - heightMm_ > nearMm_;
@@ -66,7 +66,7 @@ bool FarGround::isFar(const Vector& place) const {
   return dot(offset, offset) > nearMm_ * nearMm_;
 }
 
-// A plane without an end does so for all that comes from its other side.
+// An endless plane hides everything on its other side.
 bool FarGround::hides(const Vector& place, const Vector& direction) const {
   return (place[1] - heightMm_) * direction[1] > 0;
 }

@@ -8,24 +8,24 @@
 
 namespace opaline::reference {
 
-/// A ground farther from the middle of what stands on it than some radius, in one channel. A plane
-/// without an end gives much of its light from there, where hardly a particle comes from. But all
-/// that is given back there is the light of the sky and of lights that are far away themselves.
+/// The part of a ground beyond some radius around the bodies on it, in one channel. An endless
+/// plane reflects much of its light from there, but hardly any particle would reach it. That light
+/// comes only from the sky and from lights that are far away themselves.
 class FarGround {
  public:
-  /// All must live as long. The ground lies across y.
+  /// All arguments must outlive it. The ground is perpendicular to y.
   FarGround(const Geometry& geometry, std::uint32_t ground, std::size_t channel, double nearMm);
 
-  /// Whether a light there is so far away that it counts. Others do not.
+  /// Whether a light is far enough away to count; others are ignored.
   bool counts(const Vector& positionMm, double reachMm = 0) const;
 
-  /// Whether it hides from a place what is infinitely far away and shines in a direction.
+  /// Whether it blocks light that comes from infinitely far away in a direction.
   bool hides(const Vector& place, const Vector& direction) const;
 
-  /// How far along a ray it is met from above; infinite where it is not.
+  /// The distance along a ray to its upper side; infinite where the ray does not meet it.
   double distanceAlong(const Vector& origin, const Vector& direction) const;
-  /// Radiance that it sends through a place above it in a direction; a sample of that, between 0
-  /// and mostRadiance().
+  /// A sample of the radiance that it sends through a place above it in a direction, between 0 and
+  /// mostRadiance().
   double radianceThrough(const Vector& place, const Vector& direction, Random& random) const;
   double mostRadiance() const { return givenBack_ * mostIrradiance_; }
 

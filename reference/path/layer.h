@@ -8,13 +8,13 @@
 
 namespace opaline::reference {
 
-/// An absorbing layer on a body, of one channel: its optical thickness all over the surface.
+/// The absorbing layer on a body in one channel: its optical thickness all over the surface.
 class Layer {
  public:
-  /// The same everywhere.
+  /// A layer of the same thickness everywhere.
   explicit Layer(double thickness) : thickness_(thickness) {}
-  /// Of a body with paint, by which it has the paint's colours in even light. The body must live as
-  /// long and stay as it is.
+  /// The layer that gives a painted body its paint's colours in even light. The body must live as
+  /// long and must not change.
   Layer(const Body& body, int channel);
 
   double thicknessAt(const SurfacePoint& point) const;
@@ -26,7 +26,7 @@ class Layer {
   const Body* body_ = nullptr;
   std::size_t channel_ = 0;
   double bare_ = 1;            // colour without a layer
-  std::vector<double> table_;  // thicknesses for the squares of 0 to 1 times that
+  std::vector<double> table_;  // thicknesses for the squares of 0 to 1 times `bare_`
 };
 
 }  // namespace opaline::reference

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double everywhere = std::numeric_limits<double>::infinity();
 
-/// Towards a place, and the square of how far away it is.
+/// The direction to a place, and its squared distance.
 LightSample towards(const Vector& place, const Vector& positionMm, double& squared) {
   const Vector offset = place - positionMm;
   squared = std::max(dot(offset, offset), 1e-12);
@@ -21,7 +21,7 @@ LightSample towards(const Vector& place, const Vector& positionMm, double& squar
   return sample;
 }
 
-// How squarely an area light faces what it is seen from.
+// The cosine at which an area light faces the point from which it is seen.
 double facing(const AreaLight& light, const Vector& normal, const Vector& toLight) {
   const double cosine = -dot(normal, toLight);
   return isTwoSided(light) ? std::abs(cosine) : std::max(cosine, 0.0);

@@ -12,35 +12,35 @@
 
 namespace opaline::reference {
 
-/// Light that would arrive at a point from one place of a light, were nothing between.
+/// Light that would arrive at a point from one place of a light, if nothing were in the way.
 struct LightSample {
   Vector direction{};  ///< unit, towards the light
   double distanceMm = std::numeric_limits<double>::infinity();
-  Colour irradiance{};  ///< of a surface that faces it: radiance over density, where there is one
-  double density = 0;   ///< of such samples, per steradian; 0 for light from a single direction
+  Colour irradiance{};  ///< of a facing surface; divided by the density where there is one
+  double density = 0;   ///< per steradian; 0 for light from a single direction
   bool isSky = false;
 };
 
-/// Light that comes along a ray which a surface sends.
+/// Light that arrives along a ray sent from a surface.
 struct LightAlong {
   Colour radiance{};
   double density = 0;  ///< of the samples that might have found it
   bool isSky = false;
 };
 
-/// The lights of a scene as paths from the eye find them: each by a sample of its own, and area
-/// lights and the sky by rays that meet them as well.
+/// The lights of a scene for paths from the eye. Each light is sampled; area lights and the sky are
+/// also found by rays that hit them.
 class LightSamples {
  public:
-  /// The scene must live as long.
+  /// The scene must outlive it.
   explicit LightSamples(const Scene& scene);
 
-  /// Calls `take` with a sample of each light but constant ambient light.
+  /// Calls `take` with a sample of each light, except constant ambient light.
   void forEach(const Vector& positionMm, Random& random,
                const std::function<void(const LightSample&)>& take) const;
 
-  /// Calls `take` with each area light that a ray meets before that distance, and with the sky
-  /// where it is infinite.
+  /// Calls `take` with each area light that a ray hits within that distance, and with the sky if
+  /// the distance is infinite.
   void forEachAlong(const Vector& originMm, const Vector& direction, double distanceMm,
                     const std::function<void(const LightAlong&)>& take) const;
 

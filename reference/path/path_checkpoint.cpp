@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t magic = 0x31485441504C504F;  // "OPLPATH1"
 
-/// What stands before the counts.
+/// Precedes the counts.
 struct Header {
   std::uint64_t magic = 0;
   std::uint64_t fingerprint = 0;

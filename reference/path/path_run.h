@@ -12,17 +12,16 @@
 
 namespace opaline::reference {
 
-/// When a run of the path tracer ends: at the first of these that is reached, or at once where none
-/// is given.
+/// When a run of the path tracer ends: at the first of these limits, or at once without any.
 struct PathLimits {
-  std::optional<std::uint64_t> particles;  ///< of each channel
+  std::optional<std::uint64_t> particles;  ///< per channel
   std::optional<double> seconds;
-  std::optional<double> error;  ///< of BlockError
-  double secondsOfBatch = 2;    ///< that batches grow to
+  std::optional<double> error;  ///< as of BlockError
+  double secondsOfBatch = 2;    ///< length to which batches grow
 };
 
-/// Standard error of a picture of exitance: rms over its blocks of 8×8 pixels, relative to the mean
-/// block that shows media, all channels together. Opaque surfaces are not counted on.
+/// The standard error of a picture of exitance: rms over its blocks of 8×8 pixels, relative to the
+/// mean block that shows media, all channels together. Opaque surfaces are not counted.
 class BlockError {
  public:
   /// Throws Stopped.
@@ -42,14 +41,14 @@ class BlockError {
                        const Geometry& geometry, const CameraRays& rays);
 
   const PathTracer& tracer_;
-  std::vector<Block> blocks_;  ///< that show some of a medium
+  std::vector<Block> blocks_;  ///< those that show a medium
 };
 
 /// Called after every batch.
 using PathProgress = std::function<void(std::uint64_t particles, double seconds, double error)>;
 
-/// Follows particles in batches that grow, until a limit is reached, or not at all where no
-/// light shines. What was followed before counts. Returns the error.
+/// Traces particles in growing batches until a limit is reached, or none where no light shines.
+/// Earlier particles count. Returns the error.
 double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& limits,
                 const PathProgress& progress = {});
 

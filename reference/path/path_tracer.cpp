@@ -33,8 +33,8 @@ std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
   return interiors;
 }
 
-// Of light that leaves evenly behind a smooth boundary, how much leaves within a cone about `axis`,
-// unit. By rings of equal solid angle.
+// For light that leaves evenly through a smooth boundary, the share within a cone about the unit
+// vector `axis`. Computed over rings of equal solid angle.
 double evenShareOf(const Vector& axis, double degrees, const Vector& normal, double eta) {
   constexpr int rings = 8;
   constexpr int places = 16;
@@ -126,7 +126,7 @@ double PathTracer::fluxOfParticle(std::size_t channel) const {
   return particles_ == 0 ? 0 : emitters_[channel].flux() / static_cast<double>(particles_);
 }
 
-// Particles are independent, so counts are all but Poisson's.
+// Particles are independent, so counts are nearly Poisson distributed.
 Exitance PathTracer::exitanceOfCell(std::size_t cell) const {
   Exitance exitance;
   const double area = std::max(seenMm2_[cell], 1e-300);

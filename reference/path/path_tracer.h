@@ -17,59 +17,59 @@
 
 namespace opaline::reference {
 
-/// Light that leaves media, by how often it scattered since it entered.
+/// Selects leaving light by how often it scattered since it entered.
 enum class Scattered { Single, Multiple, Both };
 
 struct PathOptions {
-  int bounces = 1000;  ///< how often light that left a body may meet one again, ≥ 0
+  int bounces = 1000;  ///< how often light that left a body may hit one again, ≥ 0
   std::uint64_t seed = 1;
-  double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()
-  Scattered shown = Scattered::Both;  ///< of what is counted, what the exitance is of
+  double cellMm = 0;                  ///< edge of the cells for counting; 0: see cellEdgeMm()
+  Scattered shown = Scattered::Both;  ///< which of the counted light is in the exitance
   double coneDegrees =
       0;  ///< counts only what leaves so near to the direction of the camera, and takes the
           ///< exitance for that of a surface where as much does evenly; 0: counts all
 };
 
-/// A quarter of the shortest diffusion length of the scene's media, but between 1/400 and 1/60 of
-/// its diagonal.
+/// A quarter of the shortest diffusion length of the scene's media, limited to between 1/400 and
+/// 1/60 of its diagonal.
 double cellEdgeMm(const Scene& scene);
 
-/// Volumetric light transport by particles from the lights: each is followed through the bodies,
-/// and from one to another, until it is absorbed or gone, and counted where it leaves one that it
-/// had entered. Counts are whole numbers of particles
-/// of equal flux, so that the result depends on the seed and the number of particles, not on
-/// threads. Nothing is biased but by the size of the cells.
+/// Volumetric light transport by particles from the lights. Each is followed through bodies, and
+/// from one to another, until it is absorbed or leaves the scene. It is counted wherever it leaves
+/// a body that it had entered. Counts are whole numbers of particles of equal flux, so the result
+/// depends on the seed and the number of particles, not on threads. The only bias is due to the
+/// size of the cells.
 class PathTracer {
  public:
-  /// The geometry's scene must live as long.
+  /// The geometry's scene must outlive it.
   PathTracer(const Geometry& geometry, const PathOptions& options);
 
-  /// Follows that many more particles of each channel that shines.
+  /// Traces that many more particles of each channel that has light.
   void run(std::uint64_t particles);
 
-  /// Whether any light does, on a body that it enters; else there is nothing to follow.
+  /// Whether there is light and a medium that it could enter. Otherwise there is nothing to trace.
   bool shines() const {
     return hasMedia(geometry_.scene()) &&
            std::any_of(emitters_.begin(), emitters_.end(),
                        [](const Emitter& emitter) { return emitter.flux() > 0; });
   }
 
-  /// What left at a cell, or at that of a point, of the light that is shown; `error` is one
+  /// The selected light that left through a cell, or through the cell of a point. `error` is one
   /// standard error.
   Exitance exitanceOfCell(std::size_t cell) const;
   Exitance exitance(const SurfacePoint& point) const { return exitanceOfCell(cells_.at(point)); }
 
-  /// All that was counted, to go on with another time; restore() throws Error unless it is of the
-  /// same scene and options.
+  /// All counts, to continue at another time. restore() throws Error unless they are from the same
+  /// scene and options.
   std::vector<std::byte> save() const;
   void restore(std::span<const std::byte> saved);
 
-  /// Flux of all lights together, and what left all bodies by order, and its standard error.
+  /// Flux of all lights together, the light that left all bodies by order, and its standard error.
   double emittedFlux(int channel) const {
     return emitters_[static_cast<std::size_t>(channel)].flux();
   }
   double leftFlux(int channel, Order order) const;
-  /// Share of the particles that fell through gaps of the surface.
+  /// The share of the particles that slipped through gaps of the surface.
   double lostShare(int channel) const;
   std::uint64_t particles() const { return particles_; }
 
@@ -93,7 +93,7 @@ class PathTracer {
   Cells cells_;
   std::array<Emitter, 3> emitters_;
   std::vector<double>
-      seenMm2_;  ///< of a cell: its area times the share of even light that is counted
+      seenMm2_;  ///< per cell: its area times the share of even light that is counted
   std::array<std::vector<Interior>, 3> interiors_;
   std::uint64_t particles_ = 0;
   std::vector<std::atomic<std::uint32_t>> counts_;

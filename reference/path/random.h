@@ -5,7 +5,7 @@
 namespace opaline::reference {
 
 /// xoshiro256++ (Blackman and Vigna 2021), seeded by splitmix64 from a seed and the number of a
-/// particle, so that every particle has a sequence of its own whichever thread follows it.
+/// particle. Every particle thus has its own sequence, whichever thread traces it.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t particle) {
@@ -19,7 +19,7 @@ class Random {
     }
   }
 
-  /// In (0, 1): never 0, so that its logarithm is finite.
+  /// In (0, 1): never 0, so that the logarithm is finite.
   double operator()() {
     const std::uint64_t result = rotated(state_[0] + state_[3], 23) + state_[0];
     const std::uint64_t t = state_[1] << 17U;

@@ -11,30 +11,30 @@
 
 namespace opaline::reference {
 
-/// Towards the eye, of even light: what is mirrored, and how much more that is than facets mirror
-/// once.
+/// What is mirrored of even light towards the eye, and the factor by which repeated reflection
+/// between facets increases it.
 struct EvenMirrored {
   Colour share{};
-  double byDielectric = 0;  ///< in its strongest channel, of light that falls on what is no metal
+  double byDielectric = 0;  ///< in its strongest channel, for the part that is not metal
   Colour sentOnByDielectric{1, 1, 1};
   Colour sentOnByMetal{1, 1, 1};
 };
 
-/// What a surface reflects towards the eye: light that it gives back diffusely, less by what it
-/// mirrors of even light towards there, and GGX with what facets send on to each other (Turquin
-/// 2019). Light of the other side that gets through leaves diffusely, less by the same.
+/// The light that a surface reflects towards the eye. It is diffuse light, less what the surface
+/// mirrors of even light in that direction, plus GGX with reflection between facets (Turquin 2019).
+/// Light transmitted from the other side leaves diffusely, with the same reduction.
 class Reflection {
  public:
-  /// `normal` on the side of the eye; `outside` is the facet's, on that side as well.
+  /// `normal` and the facet's normal `outside` both lie on the side of the eye.
   Reflection(const OpaqueSurface& surface, const Vector& normal, const Vector& outside,
              const Vector& toEye);
-  /// The smooth or rough surface of a medium, by Fresnel's formulas, without what leaves it.
+  /// The smooth or rough surface of a medium, by Fresnel's formulas, without light from inside.
   static Reflection ofMedium(double eta, double alpha, const Vector& normal, const Vector& outside,
                              const Vector& toEye);
 
-  /// Radiance towards the eye per irradiance of a surface that faces the light: BRDF and cosine.
+  /// Radiance towards the eye per irradiance of a surface facing the light: BRDF times cosine.
   Colour value(const Vector& toLight) const;
-  /// A direction that light may come from, and how dense they are, per steradian.
+  /// Samples a direction from which light may come; density() is per steradian.
   Vector direction(Random& random) const;
   double density(const Vector& toLight) const;
 
@@ -48,16 +48,16 @@ class Reflection {
   Vector eye_{};  ///< in the surface's frame
   double eta_ = 0;
   double alpha_ = 1;
-  double matt_ = 0;    ///< share of directions that are chosen for diffuse light
-  double behind_ = 0;  ///< and for light of the other side
+  double matt_ = 0;    ///< share of directions sampled for diffuse light
+  double behind_ = 0;  ///< share sampled for light from the other side
   Colour diffuse_{};   ///< over π
   Colour through_{};   ///< over π
   OpaqueSurface surface_{};
   EvenMirrored even_{};
 };
 
-/// Of light that meets an opaque surface in one channel, the particles that go on, each with all
-/// its weight: as many in the mean as it reflects. Calls `go` with the direction of each.
+/// Particles that continue after one hits an opaque surface in one channel, each with full weight.
+/// Their mean number is the reflectance. Calls `go` with the direction of each.
 template <typename Go>
 void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Vector& normal,
                      const Vector& toLight, Random& random, const Go& go);
@@ -70,7 +70,7 @@ EvenMirrored evenMirrored(const OpaqueSurface& surface, double cosine);
 double facetReflectance(const OpaqueSurface& surface, const EvenMirrored& even, std::size_t channel,
                         double cosine);
 
-/// Candidate of the mirrored direction of light, in the frame of a surface, and the part of it that
+/// A candidate for the mirrored direction of light in a surface's frame, and the part of it that
 /// facets let through.
 struct MirroredCandidate {
   Vector direction{};

@@ -8,18 +8,18 @@
 
 namespace opaline::reference {
 
-/// An environment whose pixels are even patches of sky, for sampling: as dense as they are bright
-/// by given weights of the channels.
+/// Samples an environment whose pixels are uniform patches of sky. The density is proportional to
+/// brightness by given weights of the channels.
 class SkyPixels {
  public:
-  /// The image must live as long.
+  /// The image must outlive it.
   SkyPixels(const Image& image, const Colour& weights);
 
-  /// The weighted radiance from all around, integrated.
+  /// The integral of the weighted radiance over all directions.
   double sum() const { return sumsSoFar_.empty() ? 0 : sumsSoFar_.back(); }
-  /// A direction; the sum must be above 0.
+  /// Samples a direction; the sum must be above 0.
   Vector direction(Random& random) const;
-  /// How dense directions are there, per steradian.
+  /// The density of such directions, per steradian.
   double density(const Vector& direction) const;
   Colour radiance(const Vector& direction) const;
 

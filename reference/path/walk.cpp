@@ -62,11 +62,11 @@ std::vector<double> Walk::densestOf(const Scene& scene, const std::vector<Interi
   return result;
 }
 
-// A particle stands for light that falls on the facet. On the tilted surface falls more or less of
-// it, so several particles go on or none.
+// A particle represents light that falls on the facet. The tilted surface receives more or less of
+// it, so several particles continue or none.
 void Walk::meetTilted(const Particle& particle, Random& random,
                       std::vector<Particle>& others) const {
-  constexpr double mostParticles = 1000;  // of one that grazes the facet
+  constexpr double mostParticles = 1000;  // from one that grazes the facet
   const SurfacePoint& point = particle.surface;
   const Vector& facet = point.facetNormal;
   const Vector normal = normalAt(geometry_.scene().bodies[point.body], point, facet);

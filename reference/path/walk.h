@@ -20,13 +20,13 @@ namespace opaline::reference {
 /// How often light scattered since it last entered a body.
 enum class Order { Unscattered, Single, Multiple };
 
-/// What one channel of a body does to light inside. Opaque bodies have none.
+/// How one channel of a body affects light inside. Opaque bodies have none.
 struct Interior {
   double sigmaTPerMm = 0;  ///< extinction
   double albedo = 0;       ///< σ_s / σ_t
   double g = 0;            ///< mean cosine, Henyey and Greenstein 1941
   double eta = 1;
-  std::shared_ptr<const Layer> layer{};  ///< on its surface; null without
+  std::shared_ptr<const Layer> layer{};  ///< on its surface; null if there is none
 };
 
 /// Light on its way through space outside all bodies.
@@ -34,7 +34,7 @@ struct Flight {
   Vector origin{};
   Vector direction{};                  ///< unit
   std::optional<SurfacePoint> from{};  ///< if it starts on a surface
-  /// What is met first beyond that is left to other particles.
+  /// Hits beyond this distance are left to other particles.
   double reachMm = std::numeric_limits<double>::infinity();
 };
 
@@ -45,22 +45,22 @@ struct Leaving {
   Vector direction;  ///< unit, outside
 };
 
-/// How the way of a particle ended.
+/// How a particle's walk ended.
 enum class End {
   Away,      ///< left the scene
   Absorbed,  ///< in a body
-  Dropped,   ///< after as many bounces as are wanted
+  Dropped,   ///< after the wanted number of bounces
   Lost,      ///< through a gap of the surface, or trapped
 };
 
-/// Follows single particles through bodies with smooth dielectric boundaries: exact Fresnel terms
-/// from both sides, decided by chance, so that every particle keeps its weight; free flights,
-/// absorption and scattering likewise. Boundaries are the triangles themselves; light enters
-/// them by the normals that a texture tells.
+/// Follows single particles through bodies with smooth dielectric boundaries. Exact Fresnel terms
+/// from both sides are decided at random, so that every particle keeps its weight. The same holds
+/// for free flights, absorption and scattering. Boundaries are the triangles themselves; light
+/// enters by the normals of a texture.
 class Walk {
  public:
-  /// `interiors` of one channel, one a body. `bounces`: how often light that has left a body, or
-  /// was reflected by one, may meet a body again.
+  /// `interiors` has one entry per body, for one channel. `bounces` is how often light that left a
+  /// body, or was reflected by one, may hit a body again.
   Walk(const Geometry& geometry, const DistanceBound& bound, const std::vector<Interior>& interiors,
        int bounces, std::size_t channel = 0)
       : geometry_(geometry),
@@ -75,42 +75,42 @@ class Walk {
   End follow(const Flight& flight, Random& random, const Leave& leave) const;
 
  private:
-  /// Where a particle goes on from.
+  /// The state from which a particle continues.
   struct Particle {
     Vector position{};
     Vector direction{};
-    SurfacePoint surface;  ///< that it comes from
+    SurfacePoint surface;  ///< where it comes from
     bool fromSurface = false;
-    int met = 0;                                               ///< bodies
-    double reachMm = std::numeric_limits<double>::infinity();  ///< until the first is met
-    bool inside = false;                                       ///< of that surface's body
+    int met = 0;                                               ///< bodies hit so far
+    double reachMm = std::numeric_limits<double>::infinity();  ///< for the first hit
+    bool inside = false;                                       ///< in that surface's body
   };
 
-  /// One particle, until it ends or becomes several.
+  /// Follows one particle until it ends or becomes several.
   template <typename Leave>
   End followOne(Particle particle, Random& random, const Leave& leave,
                 std::vector<Particle>& others) const;
-  /// Of light that an opaque surface is met by, what goes on.
+  /// Continues light that hits an opaque surface.
   void reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const;
-  /// The same where a medium has a normal texture: of what falls on the tilted surface, the parts
-  /// that enter and that are mirrored.
+  /// The same for a medium with a normal texture: the tilted surface receives the light, part of
+  /// which enters and part of which is mirrored.
   void meetTilted(const Particle& particle, Random& random, std::vector<Particle>& others) const;
-  /// Of light inside a body that meets an opaque surface, which counts as matt there.
+  /// Reflects light inside a body at an opaque surface, which counts as matt there.
   bool reflectMatt(Particle& particle, Random& random) const;
 
   enum class Inside { Left, Absorbed, Lost };
   template <typename Leave>
   Inside passThrough(Particle& particle, Random& random, const Leave& leave) const;
 
-  /// What a place in a body of several media is of: the medium of the nearest surface.
+  /// The interior at a place in a body of several media: that of the nearest surface.
   const Interior& interiorAt(std::uint32_t body, const Vector& place) const {
     return interiors_[geometry_.nearestPart(body, place)];
   }
 
-  /// For each body the extinction of the densest of these media, 0 where there is only one.
+  /// For each body the extinction of its densest medium; 0 where it has only one.
   static std::vector<double> densestOf(const Scene& scene, const std::vector<Interior>& interiors);
 
-  /// Whether a particle gets through the layer at a point, with that cosine inside.
+  /// Whether a particle passes the layer at a point, at that cosine inside.
   static bool passes(const Interior& interior, const SurfacePoint& point, double cosine,
                      Random& random) {
     return !interior.layer ||
@@ -130,29 +130,29 @@ class Walk {
   std::size_t channel_;
 };
 
-/// Mirrored at a plane.
+/// The direction mirrored at a plane.
 Vector mirrored(const Vector& direction, const Vector& normal);
-/// Into a medium of relative index `eta`, `normal` against the direction. Snell 1621; there must be
-/// a refracted direction.
+/// The direction refracted into a medium of relative index `eta` (Snell 1621). `normal` must oppose
+/// the direction, and there must be a refracted direction.
 Vector refracted(const Vector& direction, const Vector& normal, double eta);
-/// A new direction by the phase function.
+/// Samples a new direction from the phase function.
 Vector scattered(const Vector& direction, double g, Random& random);
 // ---- implementation
 
-/// More scatterings than any medium needs; a body that neither absorbs nor lets light out of some
-/// directions would keep it for ever.
+/// More scatterings than any medium needs. A body that neither absorbs light nor lets out light of
+/// some directions would keep it for ever.
 inline constexpr std::uint64_t mostEvents = 50'000'000;
 
 template <typename Leave>
 Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& leave) const {
   const Scene& scene = geometry_.scene();
   const std::uint32_t body = particle.surface.body;
-  // Where it is of several media, particles meet the densest, and less often the others (Woodcock
-  // et al. 1965).
+  // In a body of several media, particles collide as in the densest, and some collisions are
+  // dropped in the others (Woodcock et al. 1965).
   const double densest = densest_[body];
   const double sigmaT = densest > 0 ? densest : interiors_[body].sigmaTPerMm;
   int scatterings = 0;
-  int depth = 1;  // parts of the body around the particle
+  int depth = 1;  // how many nested parts of the body the particle is in
   for (std::uint64_t event = 0; event < mostEvents; ++event) {
     const double step = -std::log(random()) / sigmaT;
     if (!particle.fromSurface && step < bound_(particle.position)) {
@@ -169,7 +169,8 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
           if (!reflectMatt(particle, random)) return Inside::Absorbed;
           continue;
         }
-        // Another body has no boundary of ours, and where parts of one overlap, the outermost has.
+        // Another body has no boundary here. Where parts of one body overlap, only the outermost
+        // boundary counts.
         if (wholeOf(scene, hit->point.body) != wholeOf(scene, body)) continue;
         const Interior& interior = interiors_[hit->point.body];
         if (cosine <= 0) ++depth;
