@@ -11,23 +11,23 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
-# The fastest first.
+# Fastest first.
 TYPES = ("discrete", "integrated", "virtual")
 TABLE1_MODELS = ("teapot.ply", "buddha.ply", "max_planck.ply", "bunny.ply", "bunny_egg_a.ply", "bunny_egg_b.ply")
 
-# What is aimed for on a GPU: the tree's sum at visible pixels, and a whole frame by the tree, in ms.
+# Goals on a GPU in ms: for the tree's sum at visible pixels, and for a whole frame with the tree.
 MOST_SCATTER_MS = .5
 MOST_FRAME_MS = 1.5
 
 
 def gpus(devices):
-    """Those of `opaline info --json` that are no software, the fastest first."""
+    """The devices of `opaline info --json` that are not software, fastest first."""
     return sorted((device for device in devices if device["type"] in TYPES),
                   key=lambda device: TYPES.index(device["type"]))
 
 
 def choose(devices, wanted):
-    """The device that `wanted` names by its index or a part of its name; the first GPU without."""
+    """The device whose index or part of the name is `wanted`; the first GPU without it."""
     if not wanted:
         return next(iter(gpus(devices)), None)
     found = [device for device in gpus(devices)
@@ -74,7 +74,7 @@ def frame_lines(frame):
 
 
 def default_lines(frames):
-    """A column for each scene, so that passes can be held side by side."""
+    """One column per scene, so that passes can be compared."""
     rows = [frame["rows"][0] for frame in frames]
     passes = list(dict.fromkeys(name for row in rows for name in row["passes_ms"]))
     lines = ["", "## Default frames, ms", ""]
@@ -114,7 +114,7 @@ def table1_lines(measured):
 
 
 def report(figures):
-    """What was measured, as Markdown."""
+    """The measurements as Markdown."""
     device = figures["device"]
     lines = [f"# {device['name']}, {device['driver']}"]
     for frame in figures["frames"]["ways"]:

@@ -9,8 +9,8 @@
 
 namespace opaline::bench {
 
-/// A caller that records frames into command buffers of its own and submits them, on the device of
-/// a renderer, which outlives it. Two are under way, and all have been collected when it goes.
+/// A caller that records frames into its own command buffers and submits them, on the device of a
+/// renderer, which must outlive it. Two frames are under way; the destructor waits for both.
 class Caller {
  public:
   explicit Caller(const Renderer& renderer);
@@ -18,7 +18,7 @@ class Caller {
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
 
-  /// Waits for the frame before last and begins a command buffer.
+  /// Waits for the last frame but one and begins a command buffer.
   FrameRecording begin();
   /// Ends and submits it.
   void submit(const FrameRecording& recording);

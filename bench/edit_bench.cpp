@@ -1,6 +1,6 @@
-// What a frame takes while somebody edits a scene that does not move: all of it anew, while a light
-// is dragged, and while the camera moves. As the window has it on a slow device meanwhile: a sample
-// a pixel, light at vertices, clusters and surfels coarse.
+// The time of a frame while somebody edits a still scene: with everything computed anew, while a
+// light is dragged, and while the camera moves. Options are those of the window on a slow device:
+// one sample per pixel, light at vertices, coarse clusters and surfels.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ RenderOptions optionsOfWindow() {
   return options;
 }
 
-/// About the vertical axis.
+/// Turns a vector about the vertical axis.
 Vec3 turned(const Vec3& v, float angle) {
   return {v[0] * std::cos(angle) + v[2] * std::sin(angle), v[1],
           v[2] * std::cos(angle) - v[0] * std::sin(angle)};
@@ -81,7 +81,7 @@ Json measure(const Arguments& arguments, const Scene& scene) {
     way.render(scene, 0);
     way.times.clear();
   }
-  // In turns, so that what else the machine does falls on all of them alike.
+  // In turns, so that other load on the machine affects all alike.
   for (int i = 1; i <= arguments.frames; ++i)
     for (Way& way : ways) way.render(scene, turnOfFrame * static_cast<float>(i));
   Json result{{"scene", scene.name}, {"rows", Json::array()}};

@@ -19,7 +19,7 @@ class Obj {
     fmt::format_to(std::back_inserter(text_), "v {:.9g} {:.9g} {:.9g}\n", x, y, z);
     ++vertices_;
   }
-  /// By the vertices so far, counted from 1.
+  /// Vertices are counted from 1.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     fmt::format_to(std::back_inserter(text_), "f {} {} {}\n", a, b, c);
   }
@@ -31,12 +31,12 @@ class Obj {
   std::uint32_t vertices_ = 0;
 };
 
-/// Edge of a square, or of a cube, of so many places.
+/// The edge of a square, or of a cube, with so many places.
 std::uint32_t edgeOf(std::uint32_t count, double dimensions) {
   return 1 + static_cast<std::uint32_t>(std::pow(static_cast<double>(count), 1 / dimensions));
 }
 
-/// What is ordinary, beside which the others stand: an open hilly sheet.
+/// An ordinary mesh to compare the others with: an open hilly sheet.
 std::string sheet(std::uint32_t count) {
   Obj obj;
   const std::uint32_t edge = edgeOf(count / 2, 2);
@@ -77,7 +77,7 @@ std::string book(std::uint32_t count) {
   return obj.text();
 }
 
-/// A thousand times as long as they are wide, one beside the other.
+/// Parallel triangles, each a thousand times as long as wide.
 std::string needles(std::uint32_t count) {
   Obj obj;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -89,7 +89,7 @@ std::string needles(std::uint32_t count) {
   return obj.text();
 }
 
-/// Triangles at random between few places, each of which many vertices have.
+/// Random triangles between few places, each shared by many vertices.
 std::string coincident(std::uint32_t count) {
   Obj obj;
   std::minstd_rand random(1);
@@ -104,7 +104,7 @@ std::string coincident(std::uint32_t count) {
   return obj.text();
 }
 
-/// Tetrahedra apart from each other.
+/// Separate tetrahedra.
 std::string components(std::uint32_t count) {
   Obj obj;
   const std::uint32_t edge = edgeOf(count / 4, 3);
@@ -126,7 +126,7 @@ std::string components(std::uint32_t count) {
   return obj.text();
 }
 
-/// One polygon that is a comb.
+/// One comb-shaped polygon.
 std::string polygon(std::uint32_t count) {
   Obj obj;
   for (std::uint32_t i = 0; i < count; ++i) obj.vertex(i, i % 2 == 0 ? 1 : 100, 0);
@@ -146,7 +146,7 @@ std::string word(std::size_t value) {
   return bytes;
 }
 
-/// A tetrahedron in nodes that the file says.
+/// A tetrahedron and the given nodes.
 std::string glb(const std::string& nodes, const std::string& roots) {
   const std::array<float, 12> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::array<std::uint16_t, 12> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -166,7 +166,7 @@ std::string glb(const std::string& nodes, const std::string& roots) {
          json + word(binary.size()) + std::string("BIN\0", 4) + binary;
 }
 
-/// Nodes of which each is the only child of the one before.
+/// Nodes that each are the only child of the previous one.
 std::string chain(std::uint32_t count) {
   std::string nodes;
   for (std::uint32_t i = 0; i + 1 < count; ++i)

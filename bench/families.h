@@ -6,11 +6,11 @@
 
 namespace opaline::bench {
 
-/// Files that are awkward in one way, of any size.
+/// A kind of file that is awkward in one way, in any size.
 struct Family {
   const char* name;
   const char* extension;
-  /// The bytes of one with so many triangles, or nodes.
+  /// The bytes of such a file with so many triangles or nodes.
   std::string (*file)(std::uint32_t count);
 };
 

@@ -1,6 +1,6 @@
-// What a translucent frame of a deforming body costs on this machine: by the paper's method, by the
-// tree, and by boundary transport, as multiples of an opaque frame of the same mesh, of the paper's
-// and of the tree's.
+// The cost of a translucent frame of a deforming body on this machine: by the paper's method, by
+// the tree, and by boundary transport. Each is given as multiples of an opaque frame of the same
+// mesh, of the paper's frame and of the tree's.
 
 #include <fmt/format.h>
 
@@ -25,17 +25,17 @@ namespace {
 using Json = nlohmann::ordered_json;  // passes in the order they run
 
 constexpr double secondsPerFrame = 0.02;
-/// The smallest there is: what errors are against.
+/// The smallest tolerance allowed, as a reference for errors.
 constexpr double finestTolerance = 1e-4;
 
-/// Everything moves, from frame to frame.
+/// Makes everything move from frame to frame.
 Scene deforming(Scene scene) {
   scene.deformers = {{DeformerKind::Twist, 0.5F, 2}, {DeformerKind::Wobble, 0.03F, 1}};
   return scene;
 }
 
-/// The one light of docs/accuracy.md: surfels that face the camera send out little, so that the
-/// tree has little to do where it stands.
+/// The only light of docs/accuracy.md. Surfels that face the camera send out little light, so the
+/// tree has little to do for them.
 Scene litFromBehind(Scene scene) {
   constexpr float pi = 3.14159F;
   constexpr Vec3 towards{0.45F, 0.35F, -0.82F};
@@ -62,10 +62,10 @@ RenderOptions boundaryFor(int bounces) {
   return options;
 }
 
-/// How many frames of another kind one may take.
+/// The most frames of another kind that one may cost.
 struct Limits {
-  std::optional<double> papers = std::nullopt;  ///< of the paper's, at fragments
-  std::optional<double> trees = std::nullopt;   ///< of the tree's dipole
+  std::optional<double> papers = std::nullopt;  ///< frames of the paper's method, at fragments
+  std::optional<double> trees = std::nullopt;   ///< frames of the tree's dipole
 };
 
 /// One kind of translucent frame.
@@ -76,7 +76,7 @@ struct Way {
   Renderer& renderer;
   View view{renderer, options};
   FrameTimes times{};
-  Site site = Site::Auto;  ///< that was chosen
+  Site site = Site::Auto;  ///< the site that was chosen
   std::size_t sources = 0;
   std::size_t clusters = 0;
   std::vector<Solution> solutions;
@@ -110,7 +110,7 @@ const char* nameOf(Site site) {
   return "auto";
 }
 
-/// What frames are multiples of.
+/// The frames to compare with.
 struct Yardsticks {
   double opaqueMs;
   double paperMs;
@@ -146,7 +146,7 @@ Json compareWith(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   const std::vector<Image> found =
       way.view.render({.aovs = {Aov::Exitance, Aov::Evaluations}}).images;
   if (way.options.sum != Sum::Pattern) result["evaluations"] = compare::meanOverCovered(found[1]);
-  // Another transport is no approximation of the dipole's.
+  // The error only makes sense for the dipole: other transports do not approximate it.
   if (way.options.transport != Transport::Dipole) return result;
   const auto figures =
       compare::figuresOver(found[0], finest, compare::commonPixels(found[0], finest));
@@ -169,7 +169,7 @@ Json headOf(const Scene& scene, const RenderReport& report, const RenderOptions&
           {"rows", Json::array()}};
 }
 
-/// A frame of default settings.
+/// Measures frames with default settings.
 Json measureDefault(const Arguments& arguments, const Scene& scene) {
   Renderer renderer({arguments.device, false, {}});
   renderer.setScene(scene);
@@ -187,7 +187,7 @@ Json measureDefault(const Arguments& arguments, const Scene& scene) {
 }
 
 Json measure(const Arguments& arguments, const Scene& scene, const char* lighting) {
-  // Each with what its own sum needs, and no more.
+  // Each renderer has only what its own sum needs.
   Renderer paper({arguments.device, false, {}});
   Renderer tree({arguments.device, false, {}});
   Renderer boundary({arguments.device, false, {}});
@@ -204,8 +204,8 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   constexpr std::size_t paperFragment = 0;
   constexpr std::size_t treeAuto = 2;
 
-  // One kind of frame after the other, again and again, so that what else the machine does falls on
-  // all of them alike.
+  // One frame of each kind in turn, again and again, so that other load on the machine affects all
+  // alike.
   FrameTimes opaque;
   for (int i = 0; i < arguments.frames; ++i) {
     const double seconds = secondsPerFrame * i;
@@ -227,7 +227,7 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   return result;
 }
 
-/// Of "papers" or "trees".
+/// `yardstick` is "papers" or "trees".
 std::string verdict(const Json& row, const std::string& yardstick) {
   const std::string limit = yardstick + "_allowed";
   if (!row.contains(limit)) return "";

@@ -10,19 +10,20 @@
 
 namespace opaline::bench {
 
-/// What a stage of the preparation of a scene took.
+/// The cost of one stage in the preparation of a scene.
 struct Cost {
   std::string stage;
-  double seconds = 0;      ///< of all cores together, whatever else the machine does
-  double peakBytes = 0;    ///< beyond what was taken before
-  double allocations = 0;  ///< the same on every machine, as a measure of work
+  double seconds = 0;      ///< summed over all cores, regardless of other load
+  double peakBytes = 0;    ///< beyond what was in use before
+  double allocations = 0;  ///< a measure of work that is equal on all machines
 };
 
-/// Reading a family's file of that size, and what a renderer makes of it before its first frame.
+/// Costs of reading a family's file of that size, and of preparing it for a renderer's first frame.
 std::vector<Cost> costsOf(const Family& family, std::uint32_t count);
 
-/// Of the power of the size that fits costs best, in the square of logarithms, where the size grows
-/// by a factor from each to the next. At least two; 0 where one of them is 0, which says nothing.
+/// The exponent of the power law that fits costs best, by least squares of logarithms. The size
+/// grows by `factor` from each cost to the next. Needs at least two costs; 0 where one of them is 0
+/// and no fit is possible.
 double exponent(std::span<const double> costs, double factor);
 
 }  // namespace opaline::bench

@@ -1,5 +1,5 @@
-// How the time and memory of each stage that prepares a scene grow with awkward files: exponents of
-// the size, 1 where twice the size takes twice as much.
+// How the time and memory of each stage of scene preparation grow with awkward files, as exponents
+// of the size: 1 where twice the size takes twice as much.
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t small = 1U << 14U;
 constexpr int doublings = 4;
-/// What is as quick as this at the largest size shows nothing by its exponent.
+/// A stage this quick at the largest size is too quick for its exponent to matter.
 constexpr double noticeableSeconds = 0.2;
 
 /// One stage of a family at all sizes.

@@ -1,4 +1,4 @@
-// What motion costs: frames of the same mesh, still and moved in every way there is, as ratios.
+// The cost of motion: frames of one mesh, still and moved in every supported way, as ratios.
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ RenderOptions options() {
   return options;
 }
 
-/// A node for a rig, a clip that turns it, and a rig with the mesh as it is.
+/// Adds a node, a clip that turns it, and a rig with the mesh unchanged.
 Rig& addRig(Scene& scene) {
   Node node;
   node.morphWeights = {0};
@@ -44,7 +44,7 @@ Rig& addRig(Scene& scene) {
   return *scene.objects[0].rig;
 }
 
-/// Four influences a vertex, as in games.
+/// Four influences per vertex, as in games.
 Scene skinned(Scene scene) {
   Rig& rig = addRig(scene);
   rig.joints.resize(2);
@@ -68,7 +68,7 @@ Scene skinned(Scene scene) {
   return scene;
 }
 
-/// With `normals` of its own, or such as have to be made from the triangles.
+/// Morph targets with `normals`, or without, so that normals must be computed from the triangles.
 Scene morphed(Scene scene, bool normals) {
   Rig& rig = addRig(scene);
   MorphTarget target;
@@ -88,10 +88,10 @@ Scene deformed(Scene scene) {
   return scene;
 }
 
-/// One way of moving, and what its frames took.
+/// One way of moving, and the times of its frames.
 struct Way {
   const char* name;
-  double allowed;  ///< ratio to the still
+  double allowed;  ///< ratio to still frames
   Scene scene;
   bool fromHost = false;
   std::unique_ptr<Renderer> renderer;
@@ -116,8 +116,8 @@ struct Way {
     view->submit();
   }
 
-  /// Frames one after the other with as many under way as may be, by the clock on the wall: what
-  /// the host does counts too.
+  /// Renders consecutive frames with as many under way as allowed. Wall time counts, and so the
+  /// host's work does too.
   void run(Frame& done) {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < framesInARow; ++i) {
@@ -147,8 +147,7 @@ void run(int count, char** values) {
   ways.push_back({"procedural", 1.1, deformed(scene)});
   ways.push_back({"host", 1.25, scene, true});
   for (Way& way : ways) way.start(arguments.device);
-  // One way after the other, again and again, so that what else the machine does falls on all
-  // alike.
+  // One way after the other, again and again, so that other load on the machine affects all alike.
   Frame done;
   for (int i = 0; i < arguments.frames; ++i)
     for (Way& way : ways) way.run(done);

@@ -1,5 +1,5 @@
-// What View::record() of a steady frame takes of the host: processor time of the calling thread,
-// which other programs on the machine change little.
+// The host's cost of View::record() for a steady frame: processor time of the calling thread, which
+// other programs on the machine hardly change.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// An orthographic camera of the caller's that looks down the z axis, mm.
+/// Matrices of a caller's orthographic camera that looks along the z axis, in mm.
 CameraMatrices matricesAt(float xMm) {
   CameraMatrices made;
   made.worldToView = {1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, -xMm, 0, 200, 1};
@@ -40,7 +40,7 @@ CameraMatrices matricesAt(float xMm) {
   return made;
 }
 
-/// Of each of some frames, in which time and camera move.
+/// The times of some frames in which scene time and camera change.
 std::vector<double> timesOf(Renderer& renderer, const RenderOptions& options,
                             const FrameOrder& order, int frames) {
   View view(renderer, options);
@@ -82,7 +82,7 @@ void run(int count, char** values) {
                            Case{"boundary, all variables", Transport::Boundary, all},
                            Case{"better dipole", Transport::BetterDipole, radiance}}) {
     RenderOptions options;
-    options.width = options.height = 128;  // the host does not care
+    options.width = options.height = 128;  // the size does not matter to the host
     options.site = each.order.exitance ? Site::Vertex : Site::Auto;
     options.transport = each.transport;
     const std::vector<double> times = timesOf(renderer, options, each.order, arguments.frames);

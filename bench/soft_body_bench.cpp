@@ -1,4 +1,4 @@
-// What a step of a soft body costs: the built-in bear, pulled, at several frame rates.
+// The cost of a soft body's step: the built-in bear, pulled, at several frame rates.
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Mean of a row of steps, which wait for each other but for two; ms.
+/// Mean time of consecutive steps, of which at most two are under way; ms.
 double stepMilliseconds(SoftBody& body, double seconds, int steps) {
   using Clock = std::chrono::steady_clock;
   constexpr int warmUp = 4;

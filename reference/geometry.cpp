@@ -132,7 +132,7 @@ void requireNoError(RTCDevice device) {
 struct Geometry::Device {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<std::vector<Vec3>> places;  ///< relative to the box's centre, with room behind
+  std::vector<std::vector<Vec3>> places;  ///< relative to the box's centre, with a spare entry
 
   ~Device() {
     if (scene != nullptr) rtcReleaseScene(scene);

@@ -8,8 +8,8 @@ namespace opaline::reference {
 /// What an opaque body is made of at a point: glTF 2.0, section 3.9 and appendix B, with
 /// KHR_materials_ior, _specular, _emissive_strength, _diffuse_transmission and _unlit.
 struct OpaqueSurface {
-  Colour diffuse{};      ///< share of light given back diffusely, less by what is mirrored
-  Colour through{};      ///< share of light on the other side that leaves here diffusely, the same
+  Colour diffuse{};      ///< share of light reflected diffusely, mirrored light not subtracted
+  Colour through{};      ///< the same of light that comes through from the other side
   Colour dielectric{};   ///< F₀ of the part that is not metal
   double grazing = 0;    ///< F₉₀ of that part
   Colour metal{};        ///< F₀ of metal

@@ -16,8 +16,8 @@ deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
                                 const scene::Pose& pose, double seconds,
                                 const PositionsByObject& positionsMm);
 
-/// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
-/// positions too. Throws UsageError unless they fit their object.
+/// The scene at that time of a clip (-1: none). The scene's deformers also apply to given
+/// positions. Throws UsageError unless positions fit their object.
 Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
                  const PositionsByObject& positionsMm = {});
 

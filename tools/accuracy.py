@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Measures what docs/accuracy.md says of each scene: the paper's pattern against the integral it stands for, and
-that integral against light followed through the body. Prints the table and writes the heat maps; `make accuracy`
-runs it. What was computed stays in the work folder, so that a run that was stopped goes on; delete it to begin anew."""
+"""Measures the figures of docs/accuracy.md for each scene: the paper's pattern against the integral that it
+approximates, and that integral against light traced through the body. Prints the table and writes the heat maps; `make
+accuracy` runs it. Results stay in the work folder, so that a stopped run continues; delete the folder to start
+again."""
 
 import argparse
 import dataclasses
@@ -15,23 +16,23 @@ from repository import ROOT, models_folder
 
 BLOCK_EDGE_PIXELS = 8
 TRANSPORTS = ("dipole", "better-dipole")
-# Without light that leaves and enters again, and with as much of it as there is.
+# Without light that leaves and enters again, and with all of it.
 BOUNCES = ("0", None)
-# Nobody needs the last per cent of a truth that is further away than that from what is held against it.
+# The truth needs only a fraction of the precision of its distance from what is compared with it.
 TRUTH = ("--path", "--error", "0.08", "--seconds", "300")
 INTEGRAL = ("--integral", "--tolerance", "0.01")
-# From behind at the side; an irradiance of π makes a white diffuser's radiance one.
+# Light from behind and to the side. An irradiance of π gives a white diffuser a radiance of one.
 VIEW = ("--diagonal-mm", "50", "--directional", "0.45,0.35,-0.82:3.14159,3.14159,3.14159", "--size", "256x256",
         "--aov", "exitance", "--quiet")
 
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    scene: str  # as the table names it
+    scene: str  # its name in the table
     source: str  # a file of the models, or a built-in scene
     medium: str
-    fov_degrees: int = 30  # so that all of it is seen
-    closed: bool = True  # what is open has no inside that light could be followed through
+    fov_degrees: int = 30  # wide enough to show all of it
+    closed: bool = True  # an open body has no inside through which light could be traced
 
     @property
     def name(self):
@@ -50,14 +51,14 @@ CASES = (
     Case("Teapot", "teapot", "marble", fov_degrees=38, closed=False),
     Case("Max Planck", "max_planck.ply", "skin1", fov_degrees=35, closed=False),
 )
-# Columns of the picture; every map of a row has the same scale.
+# Columns of the picture; all maps of a row have the same scale.
 SHOWN = ("bear-marble", "bear-gummy-red", "bunny-skin1", "buddha-marble")
 MAP_TOP = "1"
 MAP_EDGE_PIXELS = 256
 
 
 class Bench:
-    """Runs the program where nothing has been computed yet by the same command."""
+    """Runs the program unless the same command has been run before."""
 
     def __init__(self, program, models, work):
         self.program, self.models, self.work = program, models, work
@@ -68,7 +69,7 @@ class Bench:
         return (*where, "--medium", case.medium, *VIEW, "--fov-degrees", str(case.fov_degrees))
 
     def image(self, name, *arguments):
-        """An image and what the program reports of it."""
+        """An image and the program's report on it."""
         output, report, done = (self.work / f"{name}.{end}" for end in ("exr", "json", "command"))
         command = " ".join(arguments)
         if not (output.exists() and report.exists() and done.exists() and done.read_text() == command):
@@ -85,18 +86,18 @@ class Bench:
 
 
 def truth_error(block_error, compared):
-    """The standard error that a truth reports, which is over the mean block, as `compare --block` measures: over
-    the mean of the covered pixels, which is more, as blocks at the outline are not full."""
+    """The standard error that a truth reports, converted to what `compare --block` measures. The truth divides by the
+    mean block, the comparison by the larger mean of the covered pixels: blocks at the outline are not full."""
     return block_error * compared["covered_pixels"] / (compared["block"]["covered_blocks"] * BLOCK_EDGE_PIXELS**2)
 
 
 def without_noise(distance, noise):
-    """Independent errors add as squares."""
+    """The distance without the noise: independent errors add as squares."""
     return math.sqrt(max(distance**2 - noise**2, 0))
 
 
 def measure(bench, case):
-    """The figures of a row, as shares."""
+    """The figures of a row as shares."""
     scene = bench.scene(case)
     pattern, _ = bench.image(f"{case.name}-pattern", "render", *scene, "--method", "paper")
     integrals = {transport: bench.image(f"{case.name}-{transport}", "reference", *scene, *INTEGRAL,
@@ -113,18 +114,18 @@ def measure(bench, case):
             compared = bench.compare(integrals[transport], truth, "--block", str(BLOCK_EDGE_PIXELS))
             noise = truth_error(report["block_error"], compared)
             row[transport, bounces] = without_noise(compared["block"]["covered_rel_rmse"], noise)
-            row[transport, "too dark"] = -compared["rel_bias"]  # of the last, which has all light
+            row[transport, "too dark"] = -compared["rel_bias"]  # of the last one, which has all light
         row["noise"].append(noise)
     return row
 
 
 def percent(shares):
-    """One figure, or the same of two; what is beyond the second digit says nothing."""
+    """One or two figures in percent; digits beyond the second carry no information."""
     return " / ".join(f"{100 * share:.{1 if abs(share) < .1 else 0}f}" for share in shares) + " %" if shares else "–"
 
 
 def table(rows):
-    """Markdown; rows are pairs of a case and its figures."""
+    """The table as Markdown; rows are pairs of a case and its figures."""
     lines = ["| scene | medium | pattern to integral | dipole to path | better dipole to path | too dark by "
              "| the path's own | body |", "|" + "---|" * 8]
     for case, row in rows:
@@ -138,7 +139,8 @@ def table(rows):
 
 
 def draw(bench, output):
-    """Above, pixel by pixel, the pattern against the integral; below, in blocks, that against the path."""
+    """The heat maps: above the pattern against the integral, per pixel; below the integral against the path, per
+    block."""
     maps = []
     for kind, a, b, options in (("pixels", "pattern", "dipole", ()),
                                 ("blocks", "dipole", "path-default", ("--block", str(BLOCK_EDGE_PIXELS)))):
@@ -147,7 +149,7 @@ def draw(bench, output):
             bench.compare(bench.work / f"{name}-{a}.exr", bench.work / f"{name}-{b}.exr", *options,
                           "--heatmap", str(maps[-1]), "--heatmap-max", MAP_TOP)
     columns = len(SHOWN)
-    # The scale is beside the last of a row only.
+    # Only the last map of a row keeps its scale.
     filters = [f"[{i}]crop={MAP_EDGE_PIXELS}:{MAP_EDGE_PIXELS}:0:0[m{i}]" if (i + 1) % columns else f"[{i}]copy[m{i}]"
                for i in range(len(maps))]
     for row in range(2):

@@ -1,6 +1,5 @@
-"""Ten bodies that no scan looks like, for whoever wants to see how the renderer bears them: flat, thin, coarse,
-hollow, sharp, inside out, overlapping and many. Each is a list of vertices and a list of triangles, turned
-counter-clockwise as seen from outside."""
+"""Ten bodies unlike any scan, to test the renderer with: flat, thin, coarse, hollow, sharp, inside out, overlapping and
+numerous. Each is a list of vertices and a list of triangles, counter-clockwise as seen from outside."""
 
 import math
 
@@ -19,7 +18,8 @@ def box(x, y, z):
 
 
 def revolved(profile, segments):
-    """A profile of (radius, height), from bottom to top along the outside, turned about y; it ends on the axis."""
+    """A surface of revolution about y. Its profile of (radius, height) runs along the outside from the bottom to the
+    axis."""
     vertices, rings = [], []
     for radius, height in profile:
         if radius == 0:
@@ -69,7 +69,7 @@ def bowl():
 
 
 def star():
-    """A sphere whose radius goes up and down: sharp spikes of few triangles."""
+    """A sphere with alternating radii: sharp spikes of few triangles."""
     vertices, triangles = sphere(1, 20, 10)
     return [tuple(c * (1 if (i % 2) else .35) for c in v) for i, v in enumerate(vertices)], triangles
 

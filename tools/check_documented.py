@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The public headers are the reference, so every type and function in them has a comment: above it, behind it, or above
-the group of lines that it is part of. Members of documented types explain themselves or have one."""
+"""The public headers are the reference, so every type and function in them needs a comment: above it, after it, or
+above its group of lines. Members of documented types explain themselves or have a comment."""
 
 import re
 import sys
@@ -10,19 +10,19 @@ from repository import ROOT, finish, read_text, tracked_files
 FOLDER = "include/opaline/"
 TYPE = re.compile(r"(?:^|\s)(?:struct|class|union|enum(?: class)?)\s+(?:OPALINE_API\s+)?(\w+)")
 ACCESS = re.compile(r"\b(public|protected|private)\s*:(?!:)")
-# What needs none: what the language makes, names of types declared elsewhere, specializations.
+# Needs no comment: defaulted functions, declarations of types defined elsewhere, specializations.
 PLAIN = re.compile(r"=\s*(?:default|delete)$|^friend\b|^(?:struct|class|enum)\s+\w+$|^template\s*<>|^static_assert\b|^~")
 
 
 def blanked(text):
-    """The text without comments, literals and preprocessor lines, every line in its place."""
+    """The text without comments, literals and preprocessor lines; all lines keep their numbers."""
     text = re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.DOTALL)
     return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", lambda found: re.sub(r"[^\n]", " ", found[0]), text, flags=re.MULTILINE)
 
 
 def declarations(text):
-    """(name or None for what needs no comment, first line, last line), from 1 on, of what is visible."""
-    scopes = [("namespace", None, True)]  # kind, name, whether what comes is public
+    """(name or None if no comment is needed, first line, last line) of each visible declaration; lines count from 1."""
+    scopes = [("namespace", None, True)]  # kind, name, whether what follows is public
     start, depth = 0, 0
     for position, character in enumerate(text):
         if character not in ";{}":
@@ -69,7 +69,7 @@ def declarations(text):
 
 
 def name_of(words, owner):
-    """What is declared, or None where it needs no comment."""
+    """The declared name, or None where it needs no comment."""
     if PLAIN.search(words):
         return None
     if words.startswith(("using", "typedef")):
@@ -83,7 +83,7 @@ def name_of(words, owner):
 
 
 def opens(lines, line):
-    """Whether the line opens a type or function: what follows is within it, not beside it."""
+    """Whether the line opens a type or function, so that the next line is inside it."""
     return blanked(lines[line - 1]).rstrip().endswith("{")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which folder may include what. The table below is the whole law; everything else reads it."""
+"""Checks which folder may include what. The table below is the only rule."""
 
 import posixpath
 import re
@@ -10,15 +10,14 @@ from repository import ROOT, finish, read_text, tracked_files
 PLAIN = ("opaline/error.h", "opaline/file.h", "opaline/image.h", "opaline/image_file.h", "opaline/log.h", "opaline/numbered_name.h", "opaline/tone.h",
          "opaline/types.h")
 
-# The program uses the library as anybody can, by its public headers.
+# The program uses the library as anybody can, through its public headers.
 APP = ("opaline", "reference")
 
-# Below these, includes begin with a folder of theirs.
+# Below these folders, includes begin with one of their subfolders.
 PROGRAMS = ("apps/opaline",)
 
-# Folder (longest match wins) -> what it may include of ours. A folder name allows all below it, a
-# name that ends in .h just that header. A folder may always include itself; * allows everything
-# but tests.
+# Folder (longest match wins) -> what it may include of ours. A folder name allows everything below it, a name that ends
+# in .h just that header. A folder may always include itself; * allows everything but tests.
 ALLOWED = {
     "include/opaline": ("opaline",),
     "src/core": PLAIN,
@@ -33,7 +32,7 @@ ALLOWED = {
     "src/surfels": (*PLAIN, "core"),
     "src/soft_body": (*PLAIN, "core"),
     "src/gpu": (*PLAIN, "opaline/vulkan.h", "core"),
-    "src/shaders": ("bssrdf", "gpu/binding.h"),  # as the headers made from them do
+    "src/shaders": ("bssrdf", "gpu/binding.h"),  # like the headers made from them
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",
                    "passes/products.h"),
@@ -57,10 +56,10 @@ ALLOWED = {
     "tests": ("*", "tests"),
 }
 
-# Of one folder's own files, which may not meet: a pass knows no other pass.
+# Folders whose files may not include each other: passes are independent.
 APART = ("src/passes",)
 
-# Headers of others -> the folders that may include them. What is not named here is free.
+# Headers of other projects -> the folders that may include them. Headers not named here are free.
 THIRD_PARTY = {
     "vulkan": ("include/opaline/vulkan.h", "src/c_interface/vulkan.cpp", "src/gpu", "src/passes", "src/paper", "src/renderer", "tests",
                "apps/opaline/viewer", "examples/vulkan"),
@@ -79,7 +78,7 @@ THIRD_PARTY = {
     "benchmark": ("bench",),
 }
 
-# Folders that know nothing but themselves and the standard library.
+# Folders that may only use themselves and the standard library.
 STANDARD_ONLY = ("include/opaline", "src/bssrdf")
 OF_C = ("stddef.h", "stdint.h")
 
@@ -88,7 +87,7 @@ SOURCE = (".h", ".cpp", ".glsl")
 
 
 def folder_name(layer):
-    """How includes spell a layer: src/core is core, include/opaline is opaline."""
+    """A layer as includes spell it: src/core is core, include/opaline is opaline."""
     return re.sub(r"^(src|include)/", "", layer)
 
 
@@ -104,7 +103,7 @@ def layer_of(path):
 
 
 def own_target(path, header):
-    """The file of ours an include means, as it is written below src/ or include/; None if foreign."""
+    """Our file that an include means, as written below src/ or include/; None if it is foreign."""
     if header.split("/")[0] in OUR_FOLDERS and "/" in header:
         return header
     for program in PROGRAMS:
@@ -141,7 +140,7 @@ def violation(path, quote, header):
 
 
 def crossing(path, target):
-    """Why two siblings of a folder whose parts stay apart may not meet, or None."""
+    """Why two parts of a folder with independent parts may not include each other, or None."""
     for parent in APART:
         parts = target.split("/")
         if within(path, parent) and len(parts) > 2:

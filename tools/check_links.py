@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Relative links, their anchors and images of the documents lead somewhere; pictures in docs are small and used."""
+"""Checks that relative links, anchors and images of the documents exist, and that pictures in docs are small and
+used."""
 
 import posixpath
 import re
@@ -29,8 +30,8 @@ def targets(text):
 
 
 def anchors(text):
-    """What a link can name in a document, by GitHub's rules: of a heading as it is shown, letters of any script,
-    digits, _ and -, in lower case, spaces as hyphens; a repeated one is numbered from 1."""
+    """The anchors of a document by GitHub's rules. Headings keep letters of any script, digits, _ and -, in lower case,
+    with hyphens for spaces. Repeated ones are numbered from 1."""
     text = FENCE.sub("", text)
     found = set(NAMED.findall(text))
     times = {}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""File names are snake_case; no source names a path of one machine or promises work for later; no message of the
-library names an option of the command line; the library waits for an idle device in one place alone."""
+"""Checks that file names are snake_case, that no source names a path of one machine or promises future work, that no
+message of the library names a command-line option, and that the library waits for an idle device in one place only."""
 
 import re
 import sys
@@ -8,19 +8,19 @@ import sys
 from repository import ROOT, SOURCE_FOLDERS, finish, read_text, tracked_files
 
 SNAKE_CASE = re.compile(r"^[a-z0-9_]+(\.[a-z0-9_]+)*$")
-# Names that others prescribe, or that are typed at a prompt.
+# Names that others prescribe or that are typed at a prompt.
 OTHER_NAMES = re.compile(r"^(CMakeLists\.txt|(Opaline|Find)\w+\.cmake(\.in)?|README\.md|[a-z0-9-]+\.sh)$")
 TEXT = (".h", ".cpp", ".glsl", ".py", ".sh", ".cmake", ".txt", ".toml", ".json", ".md", "Makefile")
 MACHINE_PATH = re.compile(r"(?<![\w.~-])/(?:work|home|root|farm|tmp|Users)(?:/|\b(?=[\"'\s]))")
 LATER = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
-# The library has fields; which options set them is for programs to say.
+# The library has fields; only programs know which options set them.
 LIBRARY = ("include/", "src/", "reference/")
 STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
-# Frames and edits wait for submissions by their number; only the device waits for all, as it goes.
+# Frames and edits wait for submissions by number. Only the destructor of the device waits for everything.
 WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle\(")
 WAITS_IDLE = "src/gpu/device.cpp"
-# Data from outside keeps the words of its source.
+# Data from outside keep the words of their source.
 EXEMPT = ("LICENSE",)
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""clang-tidy on every source file of the product, in parallel. Most of its time goes into reading headers,
-so files with the same compiler flags are read many at once, as one translation unit. Two files may give the
-same name to different things: those that do not compile together are read apart. What was clean, in this
-checkout or another, is not read again until it or a header that it includes changes, unless --all asks for it."""
+"""Runs clang-tidy in parallel on every source file of the product. Reading headers takes most of its time, so files
+with equal compiler flags are read together as one translation unit. Files that do not compile together, since they use
+a name differently, are read separately. Files found clean in any checkout are skipped until they or their headers
+change, unless --all is given."""
 
 import argparse
 import concurrent.futures
@@ -23,13 +23,13 @@ from repository import ROOT, finish
 
 FILES_AT_ONCE = 48
 
-# All checkouts share the marks of what was clean, as they share a compiler cache.
+# All checkouts share the marks of clean files, as they share a compiler cache.
 MARKS = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "opaline" / "tidy"
 UNUSED_DAYS = 30
 
 
 def our_dependencies(build):
-    """Object -> the files below the repository that it was compiled from, as ninja recorded them."""
+    """Object -> the files of the repository from which it was compiled, as ninja recorded them."""
     listing = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True)
     dependencies, current = {}, None
     for line in listing.stdout.splitlines():
@@ -44,7 +44,7 @@ def our_dependencies(build):
 
 
 def fingerprint(salt, command, files):
-    """Of what clang-tidy reads, the same wherever the checkout lies."""
+    """A digest of what clang-tidy reads, equal wherever the checkout is."""
     root = str(ROOT).encode()
     digest = hashlib.sha256(salt)
     digest.update(command.encode().replace(root, b""))
@@ -61,14 +61,14 @@ class Source:
 
 
 def files_of(unit):
-    """The source files of a unit of a unity build; of any other, itself."""
+    """The source files in a unit of a unity build; for any other unit, the unit itself."""
     if unit.parent.name != "Unity":
         return [unit]
     return [pathlib.Path(name).resolve() for name in re.findall(r'^#include "(.+)"', unit.read_text(), re.MULTILINE)]
 
 
 def sources(build, salt):
-    """Every source file that is ours, once."""
+    """Every source file of ours, once."""
     dependencies = our_dependencies(build)
     seen = set()
     for entry in json.loads((build / "compile_commands.json").read_text()):
@@ -88,7 +88,7 @@ def sources(build, salt):
 
 
 def was_clean(source):
-    """A mark that is asked for stays."""
+    """Whether the file's mark exists. Using a mark keeps it from being forgotten."""
     if source.mark is None or not source.mark.exists():
         return False
     source.mark.touch()
@@ -112,7 +112,7 @@ def batches(waiting):
 
 
 def tidy(program, build, batch):
-    """What clang-tidy finds in these files, as one text; empty where all is well."""
+    """The findings of clang-tidy in these files as one text; empty if there are none."""
     if len(batch) == 1:
         unit = batch[0].path
     else:
@@ -152,7 +152,7 @@ def main():
     waiting = [source for source in sources(build, salt) if arguments.all or not was_clean(source)]
     findings, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        # The largest first, so that no processor waits long for the last.
+        # The largest batches first, so that no processor waits long for the last.
         largest_first = sorted(batches(waiting), key=len, reverse=True)
         running = {pool.submit(tidy, program, build, batch): batch for batch in largest_first}
         for future in concurrent.futures.as_completed(running):

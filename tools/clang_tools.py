@@ -1,4 +1,4 @@
-"""clang-format and clang-tidy in the version the rules are written for: others judge differently."""
+"""Finds clang-format and clang-tidy in the version for which the rules were written: others judge differently."""
 
 import re
 import shutil
@@ -8,7 +8,7 @@ VERSION = "14"
 
 
 def find(tool):
-    """The program's path, or None with a sentence on why its check is left out."""
+    """The program's path, or None with a sentence on why its check is skipped."""
     seen = None
     for name in (f"{tool}-{VERSION}", tool):
         path = shutil.which(name)

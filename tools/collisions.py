@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What leaves a half-space after so many collisions, exactly, and what diffusion makes of it from the first, second,
-third or fourth collision on: how much too much it has. Scattering is even, light arrives along the normal or so many
-degrees from it, the boundary is a smooth dielectric. All is of the light that enters, but for the last column: what
-leaves of the light that arrives. Needs NumPy.
+"""The light that leaves a half-space after each number of collisions, computed exactly. It is compared with diffusion
+that starts at the first, second, third or fourth collision: the excess is shown. Scattering is isotropic, light arrives
+along the normal or at an angle to it, and the boundary is a smooth dielectric. Figures are relative to the light that
+enters, except in the last column, which is relative to the light that arrives. Needs NumPy.
 
   tools/collisions.py [ETA [DEGREES]]
 """
@@ -17,7 +17,7 @@ ALBEDOS = (0.9585, 0.838, 0.678)  # of skin1: red, green, blue
 
 
 def reflectance(eta, cosine):
-    """Fresnel's, unpolarised, from a side to one that is eta times as dense."""
+    """Fresnel's unpolarised reflectance, into a side that is eta times as dense."""
     squared = (1 - cosine * cosine) / (eta * eta)
     other = np.sqrt(np.maximum(1 - squared, 0))
     across = (cosine - eta * other) / (cosine + eta * other)
@@ -26,7 +26,7 @@ def reflectance(eta, cosine):
 
 
 def directions(eta):
-    """Cosines inside, their weights and how much is mirrored there, apart below and above the critical angle."""
+    """Cosines inside, their weights and reflectances, separately below and above the critical angle."""
     points, weights = np.polynomial.legendre.leggauss(64)
     critical = np.sqrt(1 - 1 / eta ** 2)
     half = (points + 1) / 2
@@ -36,7 +36,7 @@ def directions(eta):
 
 
 def transfer(edges, eta):
-    """Where light from one layer collides next, by layer and layer it comes from, and how much of it leaves."""
+    """Where light from one layer collides next, by target and source layer, and how much of it leaves."""
     thick = np.diff(edges)
     below = np.tril(np.ones((CELLS, CELLS)), -1)
     apart = np.maximum(np.subtract.outer(edges[:-1], edges[1:]), 0)
@@ -44,7 +44,7 @@ def transfer(edges, eta):
     leaves = np.zeros(CELLS)
     for cosine, weight, mirrored in zip(*directions(eta)):
         within = 1 - np.exp(-thick / cosine)
-        out = cosine / thick * within  # mean of what gets to the edge of its own layer
+        out = cosine / thick * within  # mean over the light that reaches its own layer's edge
         between = below * np.exp(-apart / cosine)
         to_surface = out * np.exp(-edges[:-1] / cosine)
         collides += weight / 2 * np.outer(within, out) * (between + between.T)
@@ -60,7 +60,7 @@ def grosjean(albedo):
 
 
 def robin(eta):
-    """A of the boundary's condition -D dφ/dn = φ / 2A."""
+    """A in the boundary condition -D dφ/dn = φ / 2A."""
     points, weights = np.polynomial.legendre.leggauss(200)
     cosines = (points + 1) / 2
     mirrored = weights / 2 * reflectance(1 / eta, cosines) * cosines
@@ -68,7 +68,7 @@ def robin(eta):
 
 
 def by_diffusion(albedo, eta, edges, collisions):
-    """Exitance albedo φ / 2A of diffusion from these collisions, with Grosjean's diffusion coefficient."""
+    """Exitance albedo φ / 2A of diffusion that starts at these collisions, with Grosjean's diffusion coefficient."""
     diffusion = grosjean(albedo)
     sigma = np.sqrt((1 - albedo) / diffusion)
     falls = -np.diff(np.exp(-sigma * edges)) / (sigma * np.diff(edges))

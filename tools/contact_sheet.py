@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Renders every model of a folder, and ten awkward bodies, of media and sizes, into one sheet of small pictures that
-is there to be looked at; says how long each took, and fails where one took too long, ended badly, or shows a value
-that is no number. Processor time does not depend on what else the machine does. `make contact-sheet` runs it. What was rendered stays in the work folder; delete it to begin anew."""
+"""Renders every model of a folder, and ten awkward bodies, in several media and sizes, into one sheet of small pictures
+for inspection. Prints the time of each, and fails where one took too long, ended badly, or has a value that is not a
+number. Time is processor time, so other load does not matter. `make contact-sheet` runs it. Results stay in the work
+folder; delete it to start again."""
 
 import argparse
 import array
@@ -22,7 +23,7 @@ ENDS = (".glb", ".gltf", ".obj", ".ply", ".toml")
 
 
 def models(folders, work):
-    """Every model below the folders, and the bodies of our own, written into the work folder."""
+    """Every model below the folders, and our own bodies, which are written into the work folder."""
     found = [path for folder in folders for path in sorted(folder.rglob("*")) if path.suffix in ENDS]
     bodies = work / "bodies"
     bodies.mkdir(parents=True, exist_ok=True)
@@ -34,13 +35,13 @@ def models(folders, work):
 
 
 def processor_seconds():
-    """Of all programs that were started here and have ended."""
+    """The processor time of all programs that were started here and have ended."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
 def render(program, model, medium, diagonal, options, output, limit):
-    """Seconds that it took, and what is wrong with it, if anything."""
+    """The time in seconds, and what is wrong, if anything."""
     begin = time.monotonic()
     try:
         done = subprocess.run([program, "render", str(model), "--medium", medium, "--diagonal-mm", str(diagonal), *options,
@@ -59,7 +60,7 @@ def render(program, model, medium, diagonal, options, output, limit):
 
 
 def tone(exr, png):
-    """As a screen shows it: the brightest hundredth of the body is white."""
+    """The picture as a screen shows it. The brightest hundredth of the body is white."""
     picture = images.read_exr(exr.read_bytes())
     bright = sorted(max(pixel[:3]) for pixel in picture.covered()) or [1]
     scale = 1 / (bright[int(.99 * (len(bright) - 1))] or 1)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""How much more easily light leaves a curved surface than a plane: by what diffusion's 1/A has to be multiplied for
-as much to leave balls (curvature > 0) and the walls of hollows in an endless medium (< 0) as by Monte Carlo, over
-the same of a half-space. Sources are even, or fall with the depth z as exp(-z); lengths are in mean free paths,
-scattering is even, the boundary is a smooth dielectric. The last column is what boundary transport takes
+"""How much more easily light leaves a curved surface than a plane. It is the factor on diffusion's 1/A with which as
+much light leaves balls (curvature > 0), and the walls of hollows in an endless medium (< 0), as in Monte Carlo, over
+the same factor for a half-space. Sources are uniform, or fall with the depth z as exp(-z). Lengths are in mean free
+paths, scattering is isotropic, and the boundary is a smooth dielectric. The last column is what boundary transport uses
 (src/shaders/lib/escape.glsl).
 
-Then, of light from everywhere that has entered balls of skin1, the part that leaves again in red, green and blue.
-Needs NumPy and SciPy.
+Then, for even light that has entered balls of skin1, the part that leaves again in red, green and blue. Needs NumPy and
+SciPy.
 
   tools/curvature.py [ETA [SAMPLES]]
 """
@@ -55,7 +55,7 @@ class Body:
         return np.where(meets, np.maximum(way, 0), np.inf)
 
     def on_surface(self, places):
-        """Places there, a little inside, and the normals out of the medium."""
+        """Places on the surface, slightly inside, and the normals that point out of the medium."""
         if self.side == 0:
             normals = np.zeros_like(places)
             normals[:, 2] = 1
@@ -65,13 +65,13 @@ class Body:
 
 
 def leaving(eta):
-    """Cosines inside, evenly spread, and how much of even light leaves at each."""
+    """Uniformly spaced cosines inside, and how much of even light leaves at each."""
     cosines = (np.arange(100_000) + 0.5) / 100_000
     return cosines, cosines * (1 - reflectance(1 / eta, cosines))
 
 
 def exitance(body, albedo, eta, count, dice, sources=SOURCES):
-    """Of each source, by walks from the surface back to where light comes from."""
+    """The exitance for each source, by walks from the surface back to the sources."""
     cosines, leaves = leaving(eta)
     cumulative = np.cumsum(leaves)
     cosine = np.interp(dice.random(count), cumulative / cumulative[-1], cosines)
@@ -111,7 +111,8 @@ def exitance(body, albedo, eta, count, dice, sources=SOURCES):
 
 
 def exitance_by_diffusion(curvature, albedo, over_a, source, thickness=None):
-    """Grosjean's diffusion, the depth in cells; with a thickness, light leaves on the other side too."""
+    """The exitance by Grosjean's diffusion, with the depth in cells. With a thickness, light leaves on the other side
+    too."""
     diffusion = grosjean(albedo)
     deepest = thickness or (min(1 / curvature, DEEPEST) if curvature > 0 else DEEPEST)
     edges = np.linspace(0, deepest, CELLS + 1)
@@ -154,7 +155,7 @@ def main():
         left = []
         for scatters, absorbs in SKIN1:
             extinction = scatters + absorbs
-            # Walks start as even light does that enters, and every free path is absorbed by that much.
+            # Walks start like even light that enters. Absorption takes its share of every free path.
             even = exitance(Body(1 / (radius * extinction)), scatters / extinction, eta, 4 * count, dice)[0]
             left.append(1 - absorbs / extinction * 2 * even / leaving(eta)[1].mean())
         print(f"{radius:4} mm ", *(f" {part:.4f}" for part in left))

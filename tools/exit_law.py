@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""In which directions light leaves a slab, exactly, and how far off two laws are: evenly, and that of
-src/shaders/lib/exit_law.glsl. Scattering is even, and both boundaries are smooth dielectrics. For each thickness in mean
-free paths and each albedo: the largest error of each law up to 75 degrees, over light along the normal, at 60 degrees and
-from everywhere, on the side that is lit and on the other. With --table the radiance itself, over even, in light along
-the normal at 0, 30, 60 and 75 degrees. Needs NumPy.
+"""The directions in which light leaves a slab, computed exactly, and the errors of two laws: even light, and
+src/shaders/lib/exit_law.glsl. Scattering is isotropic, and both boundaries are smooth dielectrics. For each thickness
+in mean free paths and each albedo it prints the largest error of each law up to 75 degrees, for light along the normal,
+at 60 degrees and from everywhere, on the lit side and on the other. --table prints instead the radiance over even
+radiance, for light along the normal, at 0, 30, 60 and 75 degrees. Needs NumPy.
 
   tools/exit_law.py [--table] [ETA]
 """
@@ -25,7 +25,7 @@ def inside(eta, cosine):
 
 
 def leaving(eta):
-    """Cosines outside and the share of even light below the surface that leaves there, 1 together."""
+    """Cosines outside, and the share of even light from below that leaves there; the shares sum to 1."""
     points, weights = np.polynomial.legendre.leggauss(96)
     cosines = (points + 1) / 2
     shares = weights * cosines * (1 - reflectance(eta, cosines))
@@ -33,7 +33,7 @@ def leaving(eta):
 
 
 class Slab:
-    """Between 0 and `thickness`, cells that are small at either side."""
+    """A slab between 0 and `thickness`, with cells that are small at either side."""
 
     def __init__(self, eta, thickness):
         self.eta, self.thickness = eta, thickness
@@ -43,8 +43,8 @@ class Slab:
         self.collides = self.transfer()
 
     def between(self, cosine, mirrored):
-        """Of light that goes from one boundary to the other and back: how much is left after each round, and
-        where it collides on its way from either."""
+        """For light that goes back and forth between the boundaries: how much is left after each round, and where it
+        collides on the way from either boundary."""
         within = -np.expm1(-self.sizes / cosine)
         down = within * np.exp(-self.edges[:-1] / cosine)
         up = within * np.exp(-(self.thickness - self.edges[1:]) / cosine)
@@ -52,13 +52,14 @@ class Slab:
         return down, up, through, 1 / (1 - (mirrored * through) ** 2)
 
     def arrives(self, cosine, mirrored):
-        """Of light that starts evenly in each cell: what meets the first and the other boundary, in all rounds."""
+        """For light that starts evenly in each cell: how much reaches the first and the second boundary, over all
+        rounds."""
         down, up, through, rounds = self.between(cosine, mirrored)
         first, other = (cosine / self.sizes * each for each in (down, up))
         return rounds * (first + mirrored * through * other), rounds * (other + mirrored * through * first)
 
     def transfer(self):
-        """Where light from one cell collides next, by cell and cell it comes from."""
+        """Where light from one cell collides next, by target and source cell."""
         below = np.tril(np.ones((CELLS, CELLS)), -1)
         apart = np.maximum(np.subtract.outer(self.edges[:-1], self.edges[1:]), 0)
         collides = np.zeros((CELLS, CELLS))
@@ -86,7 +87,7 @@ class Slab:
         yield sum(share * self.beam(each) for each, share in zip(inside(self.eta, cosines), shares))
 
     def radiance(self, sources, cosines):
-        """On the lit side and on the other, over that of as much light that leaves evenly, at cosines outside."""
+        """Radiance on the lit side and on the other, over that of as much even light, at cosines outside."""
         def below(each):
             within = inside(self.eta, each)
             return np.array([sources @ side / cosine for cosine, mirrored in zip(within, reflectance(self.eta, each))
@@ -99,7 +100,7 @@ class Slab:
 
 
 def law(eta, albedo, thickness, cosines, lit):
-    """exitLaw(), its mean over directions by quadrature."""
+    """exitLaw() with its mean over directions by quadrature."""
     diffusion = (2 * (1 - albedo) + albedo) / 3
     decay = np.sqrt((1 - albedo) / diffusion)
     points, weights = np.polynomial.legendre.leggauss(400)

@@ -1,4 +1,4 @@
-// An opaque surface under the same lights and shadows: what a frame costs without translucency.
+// An opaque surface under the same lights and shadows: the cost of a frame without translucency.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

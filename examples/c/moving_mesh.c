@@ -1,4 +1,4 @@
-// A moving mesh of your own in C: a sheet of wax, 4 mm thick, in which waves run.
+// A moving mesh of your own in C: a sheet of wax, 4 mm thick, with running waves.
 //
 //     moving_mesh [frames [picture.png]]
 #include <math.h>
@@ -14,7 +14,7 @@ enum {
   size = 256
 };
 
-// An engine's vertex: positions need not lie side by side.
+// An engine's vertex: positions need not be contiguous.
 typedef struct Vertex {
   float position[3];
   float whatever[3];
@@ -26,7 +26,7 @@ static void check(OpalineStatus status) {
   exit(1);
 }
 
-// The upper side, then the lower one.
+// Fills the upper side, then the lower one.
 static void moveTo(double seconds, Vertex* vertices) {
   for (int side = 0; side < 2; ++side) {
     for (int y = 0; y < edge; ++y) {
@@ -115,7 +115,7 @@ int main(int count, char** words) {
       check(opalineSetPositions(renderer, 0, vertices[0].position, vertexCount, sizeof(Vertex)));
       check(opalineSubmit(view, &radiance, 1));  // returns while the device works
     }
-    if (i > 0) check(opalineCollect(view, &target, 1, &milliseconds));  // the frame before
+    if (i > 0) check(opalineCollect(view, &target, 1, &milliseconds));  // the previous frame
     all += milliseconds;
   }
   if (frames > 0) {

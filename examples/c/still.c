@@ -7,7 +7,7 @@
 
 enum { width = 320, height = 320 };
 
-// Every call returns a status. The reason of a failure is one sentence.
+// Every call returns a status. The reason for a failure is one sentence.
 static void check(OpalineStatus status) {
   if (status == OpalineOk) return;
   fprintf(stderr, "%s\n", opalineLastError());

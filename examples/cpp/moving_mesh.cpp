@@ -1,4 +1,5 @@
-// A moving mesh of your own: a ball of wax that waves, sixty positions a second from your program.
+// A moving mesh of your own: a waving ball of wax, with sixty sets of positions per second from
+// your program.
 //
 //     moving_mesh [frames [picture.png]]
 #include <opaline/opaline.h>
@@ -18,7 +19,7 @@ constexpr int rings = 48;
 constexpr int sides = 96;
 constexpr float radiusMm = 20;
 
-/// Where the vertices are at a time: rings from pole to pole.
+/// Computes the positions at a time: rings from pole to pole.
 void moveTo(double seconds, std::vector<opaline::Vec3>& positionsMm) {
   positionsMm.clear();
   for (int ring = 0; ring <= rings; ++ring) {
@@ -74,7 +75,7 @@ int main(int count, char** words) try {
   opaline::Renderer renderer;
   renderer.setScene(scene);
 
-  // A view is a picture made again and again. It keeps its images, so frames allocate nothing.
+  // A view renders one picture again and again. It keeps its images, so frames allocate nothing.
   opaline::RenderOptions options;
   options.width = options.height = 256;
   opaline::View view(renderer, options);
@@ -87,7 +88,7 @@ int main(int count, char** words) try {
     renderer.replacePositions(0, positionsMm);  // copied: change them again at once
     view.submit();                              // returns while the device works
     if (i == 0) continue;  // so one frame is rendered while the next is prepared
-    view.collect(frame);   // the one before
+    view.collect(frame);   // the previous one
     milliseconds += frame.milliseconds;
   }
   if (frames > 0) view.collect(frame);

@@ -8,11 +8,11 @@
 
 namespace {
 
-/// What is to be seen. A scene is plain data: copy it, change it, keep it as long as you like.
+/// A scene is plain data: copy it, change it, keep it as long as you like.
 opaline::Scene makeScene() {
   opaline::LoadOptions load;
-  load.diagonalMm = 50;                       // how large it is decides how deep light goes in it
-  load.medium = opaline::findMedium("jade");  // or a Medium of your own
+  load.diagonalMm = 50;                               // the size decides how deep light goes
+  load.medium = opaline::findMedium("jade");          // or a Medium of your own
   opaline::Scene scene = opaline::builtInBear(load);  // loadScene("file.glb", load) reads a file
 
   // Lengths are millimetres, y is up, directions are unit vectors, light is linear RGB.
@@ -30,7 +30,7 @@ int main(int count, char** words) try {
   const char* const radianceFile = count > 2 ? words[2] : "still.exr";
   const char* const exitanceFile = count > 3 ? words[3] : "still_exitance.exr";
 
-  // The renderer has the device. It prints nothing: it tells a function what it has to say.
+  // The renderer owns the device. It never prints; it passes its messages to a function.
   opaline::RendererOptions device;
   device.log = [](opaline::LogLevel, std::string_view message) {
     std::printf("note: %.*s\n", static_cast<int>(message.size()), message.data());
@@ -61,7 +61,7 @@ int main(int count, char** words) try {
               static_cast<double>(middle[2]), result.report.device.name.c_str(),
               result.report.triangles, result.report.frameMilliseconds);
   return 0;
-} catch (const opaline::Error& error) {  // bad input, or a device that fails: one sentence each
+} catch (const opaline::Error& error) {  // bad input or a failing device: one sentence each
   std::fprintf(stderr, "%s\n", error.what());
   return 1;
 }

@@ -35,11 +35,11 @@ body = given[..., 3] > 0
 
 
 def difference(logarithms):
-    """Of a body of that absorption from the given picture, in every pixel and channel."""
+    """The difference from the given picture of a body with that absorption, in every pixel and channel."""
     return (draw(np.exp(logarithms)) - given)[body][:, :3].ravel()
 
 
-# In logarithms absorption stays positive. Steps of 2 % tell how the picture depends on it.
+# Logarithms keep absorption positive. Steps of 2 % show how the picture depends on it.
 fit = least_squares(difference, np.log([0.03, 0.03, 0.03]), diff_step=0.02)
 found = np.exp(fit.x)
 print(f"found {np.round(found, 5)}, hidden {hidden}, off by {np.abs(found / hidden - 1).max():.2%}, {fit.nfev} steps")

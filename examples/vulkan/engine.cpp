@@ -40,7 +40,7 @@ VkSemaphoreSubmitInfo at(const opaline::TimelinePoint& point) {
   return info;
 }
 
-// Waits for everything before, which is enough for an example.
+// Waits for all earlier work, which is good enough for an example.
 void barrier(VkCommandBuffer commands, const Engine::Image& image, VkImageLayout from,
              VkImageLayout to) {
   VkImageMemoryBarrier2 change{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
@@ -121,8 +121,8 @@ void Engine::makeInstance(bool validation) {
         "listen to the validation layer");
 }
 
-// What the engine itself needs, dynamic rendering and push descriptors, the library needs too. An
-// engine that needs more merges its own chain of features with that of the library.
+// The engine needs dynamic rendering and push descriptors, as the library does. An engine that
+// needs more merges its chain of features with the library's.
 void Engine::makeDevice() {
   std::uint32_t count = 16;
   VkPhysicalDevice devices[16];
@@ -416,7 +416,7 @@ void Engine::drawFloor(VkCommandBuffer commands, const Image& color, const Image
     targets[i].sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
     targets[i].imageView = i == 0 ? color.view : depth.view;
     targets[i].imageLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
-    targets[i].loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;  // depth to 0, which is as far as can be
+    targets[i].loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;  // depth 0 is infinitely far
     targets[i].storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   }
   targets[0].clearValue.color = {{0.02F, 0.025F, 0.035F, 1}};

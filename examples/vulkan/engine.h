@@ -11,18 +11,18 @@
 #include "camera.h"
 
 /// What any engine has: a device, a queue that its threads share under a lock, memory, pipelines.
-/// It knows the library only where it asks what the device needs.
+/// It only uses the library to ask what the device needs.
 class Engine {
  public:
-  /// `validation`: with Vulkan's validation layer, synchronization included.
+  /// `validation` enables Vulkan's validation layer, including synchronization.
   explicit Engine(bool validation);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// The device as the library takes it.
+  /// The device in the form that the library takes.
   opaline::GivenVulkan given();
-  /// What the validation layer has complained of.
+  /// The number of messages from the validation layer.
   int complaints() const { return complaints_; }
 
   struct Buffer {
@@ -39,14 +39,14 @@ class Engine {
   Image makeImage(VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
                   VkImageAspectFlags aspect);
   VkSemaphore makeTimeline();
-  /// A command buffer in a pool of its own, so that every thread can have one.
+  /// A command buffer with its own pool, so that every thread can have one.
   struct Commands {
     VkCommandPool pool = VK_NULL_HANDLE;
     VkCommandBuffer buffer = VK_NULL_HANDLE;
   };
   Commands makeCommands();
 
-  /// Begins it anew; the device has finished what it was before.
+  /// Begins the command buffer again; the device must have finished its earlier commands.
   VkCommandBuffer begin(const Commands& commands);
   /// Ends it and submits it under the lock; may be called from any thread.
   void submit(VkCommandBuffer commands, const opaline::TimelinePoint& wait,

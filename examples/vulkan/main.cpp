@@ -1,6 +1,6 @@
-// An engine with a Vulkan device of its own, which draws a floor. The library draws a waving body
-// of wax over it, whose vertices a compute shader of the engine moves, in command buffers of the
-// engine. One thread simulates, another renders; both use one queue.
+// An engine with its own Vulkan device draws a floor. The library draws a waving body of wax over
+// it, in the engine's command buffers. A compute shader of the engine moves the body's vertices.
+// One thread simulates, another renders; both use one queue.
 //
 //     engine [frames [picture.png [--validate]]]
 #include <opaline/opaline.h>
@@ -35,15 +35,15 @@ opaline::Scene makeScene() {
   return scene;
 }
 
-/// What the two threads tell each other: how many frames each has submitted. Work that waits on the
-/// queue must not come before what it waits for.
+/// How many frames each thread has submitted. Work that waits on the queue must not be submitted
+/// before the work for which it waits.
 struct Progress {
   std::atomic<int> simulated = 0;
   std::atomic<int> rendered = 0;
 
   std::atomic<bool> stopped = false;
 
-  /// Whether the other thread got so far; it may have stopped before.
+  /// Whether the other thread got that far; it may have stopped before.
   bool await(std::atomic<int>& count, int least) const {
     for (int now = count; now < least && !stopped; now = count) count.wait(now);
     return !stopped;
@@ -87,7 +87,7 @@ void run(int frames, const char* file, Engine& engine) {
   const float lowest = opaline::boundsOf(scene).minMm[1];
   constexpr float aspect = static_cast<float>(extent.width) / static_cast<float>(extent.height);
 
-  // The engine's own.
+  // The engine's own buffers.
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   const Engine::Buffer atRest = engine.makeBuffer(bytes, storage);
   std::memcpy(atRest.mapped, rest.data(), bytes);
@@ -107,8 +107,8 @@ void run(int frames, const char* file, Engine& engine) {
   const Engine::Commands ofSimulating[inFlight] = {engine.makeCommands(), engine.makeCommands()};
   const Engine::Commands ofDrawing[inFlight] = {engine.makeCommands(), engine.makeCommands()};
 
-  // Thread one: where the vertices are. A buffer is written again when the frame that read it is
-  // over.
+  // Thread one moves the vertices. A buffer is written again once the frame that read it is
+  // finished.
   Progress progress;
   std::exception_ptr ofSimulation;
   std::exception_ptr ofRendering;
@@ -130,7 +130,7 @@ void run(int frames, const char* file, Engine& engine) {
     }
   });
 
-  // Thread two: the picture.
+  // Thread two renders the picture.
   try {
     opaline::Renderer renderer({.given = engine.given()});
     renderer.setScene(scene);

@@ -66,7 +66,8 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
 
 EvenMirrored evenMirrored(const OpaqueSurface& surface, double cosine);
 
-/// Of facets in one channel, by Schlick 1994, with what they send on to each other towards the eye.
+/// The facets' reflectance in one channel by Schlick 1994, with reflection between them towards the
+/// eye.
 double facetReflectance(const OpaqueSurface& surface, const EvenMirrored& even, std::size_t channel,
                         double cosine);
 

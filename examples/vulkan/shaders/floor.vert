@@ -1,4 +1,4 @@
-// A square floor, which nothing but this shader knows.
+// A square floor, which exists only in this shader.
 #version 460
 
 layout(push_constant) uniform Push {

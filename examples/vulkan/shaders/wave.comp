@@ -1,4 +1,4 @@
-// The engine's own motion: where the vertices are in this frame.
+// The engine's own motion: computes the vertices of this frame.
 #version 460
 
 layout(local_size_x = 64) in;

@@ -37,7 +37,7 @@ class UndoList {
  private:
   std::deque<EditState> states_;
   std::size_t present_ = 0;
-  std::optional<std::size_t> sound_;  // the last state that made a picture, while it is here
+  std::optional<std::size_t> sound_;  // the last state that could be rendered, while listed
 };
 
 }  // namespace opaline::app::viewer
