@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Runs every fuzz target for some seconds, as many at once as there are cores, from the corpus of the repository and what
-earlier runs have added to it in build/. What ends a target is a finding; it is kept beside that corpus, with the command
-that repeats it. The last line counts targets, executions and findings, which make the status too."""
+"""Runs every fuzz target for some seconds, as many at once as there are cores. Inputs are the corpus of the repository
+and what earlier runs added to it in build/. An input that ends a target is a finding, and is kept beside that corpus
+with the command that repeats it. The last line counts targets, executions and findings, which also decide the
+status."""
 
 import argparse
 import concurrent.futures
@@ -20,14 +21,14 @@ PRESET = "fuzz"
 BUILD = ROOT / "build" / PRESET
 SEEDS = ROOT / "tests" / "fuzz" / "corpus"
 
-SECONDS_OF_AN_INPUT = 25  # under sanitizers, on a machine that does something else too
-MEGABYTES = 2500  # with what the sanitizers take
+SECONDS_OF_AN_INPUT = 25  # with sanitizers, on a busy machine
+MEGABYTES = 2500  # including the sanitizers' own
 MEGABYTES_AT_ONCE = 1000
 LONGEST_INPUT = 8192
 
 
 def require_fuzzer():
-    """Clang may be there without its fuzzer."""
+    """Exits unless clang has its fuzzer, which may be missing."""
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder, "target.cpp")
         source.write_text("#include <cstddef>\n#include <cstdint>\n"
@@ -47,20 +48,20 @@ def build(jobs):
 
 
 class Outcome:
-    """Of one target: inputs that were run, and what ended it, if anything did."""
+    """The result of one target: how many inputs were run, and what ended it, if anything."""
 
     def __init__(self, target, executions, finding):
         self.target, self.executions, self.finding = target, executions, finding
 
 
 def executions_in(log):
-    """As libFuzzer counts: at the end, or else in the last line before it was ended."""
+    """The count in libFuzzer's summary, or else in its last line before it was stopped."""
     counts = re.findall(r"^(?:stat::number_of_executed_units:\s*|#)(\d+)", log, re.MULTILINE)
     return max(map(int, counts), default=0)
 
 
 def reason_in(log):
-    """What the sanitizers, the fuzzer or a check of the target said first."""
+    """The first message of the sanitizers, the fuzzer or a check of the target."""
     said = re.search(r"^.*(?:runtime error: |ERROR: |: Failure$).*$", log, re.MULTILINE)
     return said[0].strip() if said else "it ended for a reason that its log does not name"
 

@@ -38,7 +38,7 @@ METALNESSES = (0.0, 0.5, 1.0)
 IRRADIANCE = 2.0
 TO_LIGHT = tuple(x / math.sqrt(1.5 ** 2 + 1 + 2 ** 2) for x in (1.5, 1.0, 2.0))
 DISTANCE, HALF_ANGLE = 8.0, 0.15
-HEAD_ON = 0.04  # of an index of refraction of 1.5
+HEAD_ON = 0.04  # F0 for an index of refraction of 1.5
 EXPOSURES = (1 / 512, 1 / 32, 1 / 4, 1, 8)
 LEAST_COSINE = 0.05  # of light that counts
 SECONDS = 300
@@ -125,7 +125,7 @@ def ball_file(metallic, roughness):
     corner_bytes = struct.pack(f"<{len(corners)}I", *corners)
     place_bytes = b"".join(struct.pack("<3f", *place) for place in places)
     x, y, z = TO_LIGHT
-    # Turns the light's direction, -z, away from TO_LIGHT: about the axis z × TO_LIGHT.
+    # Rotates the light's direction -z away from TO_LIGHT, about the axis z × TO_LIGHT.
     half = math.acos(z) / 2
     across = math.hypot(x, y)
     turn = [-y / across * math.sin(half), x / across * math.sin(half), 0, math.cos(half)]
@@ -157,7 +157,7 @@ def ball_file(metallic, roughness):
 
 @contextlib.contextmanager
 def served(packages, folder, page, pictures, ended):
-    """An HTTP server of the page and its files, which takes the viewer's pixels by file and exposure."""
+    """An HTTP server for the page and its files. It receives the viewer's pixels by file and exposure."""
     class Handler(http.server.BaseHTTPRequestHandler):
         def answer(self, code, body=b"", kind="text/plain"):
             self.send_response(code)
@@ -214,7 +214,7 @@ def viewer_pictures(script, packages, browser, folder, count):
 
 
 def khronos_pictures(*where):
-    """Linear radiance by file and pixel, rows from the top; alpha is coverage."""
+    """Linear radiance by file and pixel, with rows from the top; alpha is coverage."""
     shown = viewer_pictures(KHRONOS, *where)
     return [merged({exposure: shown[i, which] for which, exposure in enumerate(EXPOSURES)}) for i in range(where[-1])]
 
@@ -226,7 +226,7 @@ def three_pictures(*where):
 
 
 def merged(by_exposure):
-    """Each pixel from the longest exposure that shows it whole, from powers of 1/2.2."""
+    """Each pixel from the longest exposure in which it is not clipped, decoded with the power 2.2."""
     rows = []
     for y in reversed(range(SIZE)):
         row = []
@@ -268,8 +268,8 @@ def schlick(head_on, cosine):
 
 
 def mirrored_parts(alpha, out, steps=48):
-    """Of even light, what facets mirror of F₀ and of F₉₀ by Schlick 1994, by the facets that the eye sees
-    (Heitz 2018): the midpoints of a square of `steps` numbers a side."""
+    """For even light, the parts of F₀ and F₉₀ by Schlick 1994 that facets mirror. Averages over the facets that the eye
+    sees (Heitz 2018), at the midpoints of a square of `steps` by `steps` numbers."""
     side = math.sqrt(1 - out * out)
     eye = (side, 0.0, out)
     stretched = unit((alpha * side, 0.0, out))
@@ -301,7 +301,7 @@ def mirrored_parts(alpha, out, steps=48):
 
 
 class Shares:
-    """mirrored_parts of a roughness, interpolated."""
+    """mirrored_parts for one roughness, interpolated."""
 
     ENTRIES = 40
 
@@ -315,7 +315,7 @@ class Shares:
 
 
 def radiance(metallic, roughness, shares, normal, eye):
-    """By the specification alone, and with what Opaline adds, by channel."""
+    """The reflectance by the specification alone, and with Opaline's additions, per channel."""
     alpha = roughness ** 2
     out, to_light = max(dot(normal, eye), 1e-3), dot(normal, TO_LIGHT)
     half = unit(tuple(a + b for a, b in zip(eye, TO_LIGHT)))
@@ -340,7 +340,7 @@ def radiance(metallic, roughness, shares, normal, eye):
 
 
 def geometry(x, y):
-    """Normal and direction to the eye where a pixel's middle sees the ball, or None."""
+    """Normal and direction to the eye where the middle of a pixel sees the ball, or None."""
     reach = math.tan(HALF_ANGLE)
     way = unit((reach * (2 * (x + 0.5) / SIZE - 1), -reach * (2 * (y + 0.5) / SIZE - 1), -1.0))
     eye = (0.0, 0.0, DISTANCE)
@@ -353,7 +353,7 @@ def geometry(x, y):
 
 
 def block_means(pixels):
-    """Over the blocks of which all pixels are there."""
+    """Means of the blocks that have all their pixels."""
     found = {}
     for by in range(SIZE // EDGE):
         for bx in range(SIZE // EDGE):
@@ -364,8 +364,8 @@ def block_means(pixels):
 
 
 def compared(metallic, roughness, shares, ours, khronos, three):
-    """Number of blocks, and largest and root mean square difference of them, over the block: from both viewers,
-    and from that of Khronos without what is added."""
+    """The number of blocks, and the largest and root mean square relative difference between them: from both viewers,
+    and from the one of Khronos without the additions."""
     pixels = {name: {} for name in ("ours", "without", "khronos", "three")}
     for y in range(SIZE):
         for x in range(SIZE):

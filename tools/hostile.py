@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Shows hostile files to the program: `info`, a picture, and a picture by the paper's method, which makes an atlas. Each
-run has to end in one sentence and status 1, or in a picture whose values are numbers, none of them negative, within
-1 GB of memory and 5 seconds of one core, where a picture of the built-in bear takes 2: on a slower machine, 2.5 times as
-long as that. `make hostile` runs it; the last line counts, and findings make the status."""
+"""Feeds hostile files to the program: `info`, a picture, and a picture by the paper's method, which makes an atlas.
+Each run must end in one sentence and status 1, or in a picture of finite values that are not negative. The limits are 1
+GB of memory and 5 seconds of one core where a picture of the built-in bear takes 2, and in proportion on slower
+machines. `make hostile` runs it. The last line counts; findings decide the status."""
 
 import argparse
 import collections
@@ -23,17 +23,17 @@ from repository import ROOT, models_folder
 SECONDS = 5
 SECONDS_OF_BEAR = 2
 MEGABYTES = 1000
-TRIES = 3  # where one takes longer: the machine may have much else to do
-LONGEST_SECONDS = 60  # of one core, and ten times that by the clock
+TRIES = 3  # for runs that take too long: the machine may be busy
+LONGEST_SECONDS = 60  # of one core; ten times as long by the clock
 PICTURE = ("--size", "48x48", "--antialias", "1", "--quiet")
-# Time by the number of surfels is no fault of a file's.
+# A file cannot be blamed for time that depends on the number of surfels.
 BOUNDARY = (*PICTURE, "--max-surfels", "32768")
 PAPER = (*PICTURE, "--method", "paper", "--medium", "marble")
 SKY_MODEL = "cube.obj"
 
 
 class Run:
-    """Of the program, with what it took and left behind."""
+    """One run of the program, with its cost and its outputs."""
 
     def __init__(self, program, arguments, folder):
         self.arguments = arguments
@@ -44,7 +44,7 @@ class Run:
             alarm.start()
             _, status, used = os.wait4(process.pid, 0)
             alarm.cancel()
-            # 2: a mistake of the caller's, who asks for a method that shows less.
+            # 2 means that the caller asked for a method that shows less.
             self.refusals = (1, 2) if "paper" in arguments else (1,)
             self.status = process.returncode = os.waitstatus_to_exitcode(status)
             self.seconds = used.ru_utime + used.ru_stime
@@ -55,7 +55,7 @@ class Run:
             self.err = err.read().decode(errors="replace")
 
     def faults(self, output, most_seconds):
-        """What a run must not do, whatever the file is."""
+        """The faults of a run, whatever the file."""
         if self.seconds > most_seconds:
             yield f"took {self.seconds:.1f} s of one core"
         if self.megabytes > MEGABYTES:
@@ -93,7 +93,7 @@ def commands(hostile):
 
 
 def judged(program, hostile, folder, most_seconds):
-    """Its runs, and what is wrong with them. The paper's method may refuse sound files: it shows less."""
+    """The file's runs and their faults. The paper's method may refuse sound files, since it shows less."""
     output = folder / f"picture-{threading.get_ident()}.exr"
     runs, faults = [], []
     for arguments, pictured in commands(hostile):
@@ -126,7 +126,7 @@ def print_table(results):
 
 
 def seconds_of_bear(program, folder):
-    """Of one core, for the built-in bear: what machines differ by, and what else they do."""
+    """Seconds of one core for the built-in bear, which measure the machine and its load."""
     seconds = Run(program, ("render", *BOUNDARY, "-o", "bear.exr"), folder).seconds
     (folder / "bear.exr").unlink()
     return seconds

@@ -1,5 +1,5 @@
-"""Files that nobody should trust, for hostile.py: wrong ones, legal but awkward ones, and damaged copies of sound ones.
-The same ones every time."""
+"""Untrustworthy files for hostile.py: wrong ones, legal but awkward ones, and damaged copies of sound ones. They are
+the same every time."""
 
 import json
 import math
@@ -26,7 +26,7 @@ NUMBERS = (b"0", b"-1", b"1", b"65535", b"4294967295", b"4294967296", b"-2147483
 
 
 class Hostile:
-    """A file and what is known of it: `must` is "read", "refused" or None."""
+    """A file and its expected outcome: `must` is "read", "refused" or None."""
 
     def __init__(self, kind, path, must=None):
         self.kind, self.path, self.must = kind, path, must
@@ -52,7 +52,7 @@ TEXTURED = ("mtllib {}.mtl\nusemtl skin\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
 
 
 def between_few_places(seed, faces, places):
-    """Faces at random between vertices many of which lie at one place."""
+    """Random faces between vertices, many of which coincide."""
     dice = random.Random(seed)
     spots = [[dice.choice((0, 1, 2)) for _ in range(3)] for _ in range(places)]
     return obj([dice.choice(spots) for _ in range(3 * faces)], [[dice.randrange(3 * faces) for _ in range(3)] for _ in range(faces)])
@@ -145,7 +145,7 @@ AWKWARD = {
 
 
 def changed_number(bytes_, dice):
-    """One number of a text, or the word there."""
+    """Changes one number of a text, or inserts a word instead."""
     found = list(re.finditer(rb"-?\d[\d.eE+-]*", bytes_))
     if not found:
         return bytes_
@@ -154,7 +154,7 @@ def changed_number(bytes_, dice):
 
 
 def changed_document(bytes_, dice):
-    """As changed_number(), in the JSON of a binary glTF, the lengths of which stay right."""
+    """As changed_number(), in the JSON of a binary glTF; its lengths stay right."""
     if bytes_[:4] != b"glTF" or len(bytes_) < 20:
         return changed_number(bytes_, dice)
     length, = struct.unpack_from("<I", bytes_, 12)
@@ -181,7 +181,7 @@ def overwritten(bytes_, dice):
 
 
 def moved(bytes_, dice):
-    """A piece of it stands elsewhere too."""
+    """Inserts a copy of one piece elsewhere."""
     begin, length, to = dice.randrange(len(bytes_)), dice.choice((1, 4, 16, 256)), dice.randrange(len(bytes_))
     return bytes_[:to] + bytes_[begin:begin + length] + bytes_[to:]
 
@@ -190,7 +190,7 @@ DAMAGES = (cut, flipped, overwritten, moved, changed_number, changed_document)
 
 
 def textured(path):
-    """The texture at hand on a cube beside it."""
+    """Puts the given texture on a cube in a file beside it."""
     stem = path.name.replace(".", "_")
     path.with_name(f"{stem}.mtl").write_text(f"newmtl skin\nmap_Kd {path.name}\n")
     model = path.with_name(f"{stem}.obj")
@@ -199,7 +199,7 @@ def textured(path):
 
 
 def corpus(endings):
-    """Of every reader: path, name."""
+    """Sound files for every reader: path, name."""
     found = [path for path in sorted(CORPUS.rglob("*")) if path.suffix in endings]
     return [(path, f"{path.parent.name}_{path.name}") for path in found]
 
@@ -219,7 +219,7 @@ def kind_of(path, what):
 
 
 def write_all(folder, models, copies):
-    """Writes them into an empty folder; returns what there is."""
+    """Writes all files into an empty folder and returns them."""
     found = []
 
     def write(kind, name, content, must=None):

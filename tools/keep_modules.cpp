@@ -1,6 +1,6 @@
-// Part of programs with sanitizers: shared libraries stay loaded to the end. Otherwise what a
-// driver has leaked no longer has its name when leaks are looked for, and tools/lsan.supp cannot
-// tell it from ours.
+// Linked into programs with sanitizers: shared libraries stay loaded to the end. Otherwise the
+// leaks of an unloaded driver have no name when they are reported, and tools/lsan.supp cannot tell
+// them from ours.
 extern "C" [[gnu::visibility("default")]] int dlclose(void*) {
   return 0;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the pictures of README and docs by the commands that tools/figures/pictures.json names, all or those named;
-`make figures` runs it. What takes minutes is made only where it is named, or with --all."""
+"""Makes the pictures of README and docs by the commands in tools/figures/pictures.json: all of them, or those named.
+`make figures` runs it. Pictures that take minutes are made only if named, or with --all."""
 
 import argparse
 import json
@@ -19,7 +19,7 @@ BY_HAND = "by hand"
 
 
 def entries():
-    """Page and entry, for all pictures that a command makes."""
+    """Page and entry of all pictures made by a command."""
     return [(page, entry) for page, listed in json.loads(MANIFEST.read_text()).items() if page != BY_HAND
             for entry in listed]
 
@@ -29,7 +29,7 @@ def by_hand():
 
 
 def words_of(command, programs, models):
-    """A command as it is run: programs and models by their full path."""
+    """A command with the full paths of programs and models."""
     name, *arguments = shlex.split(command)
     if name == "opaline_figures":
         arguments += ["--into", "."]
@@ -37,7 +37,7 @@ def words_of(command, programs, models):
 
 
 def convert(source, target, width=None):
-    """Copies a picture, or makes a JPEG of it, that wide."""
+    """Copies a picture, or makes a JPEG of that width."""
     if source.suffix == target.suffix and width is None:
         shutil.copyfile(source, target)
         return

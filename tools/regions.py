@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Says where a picture of exitance is off, by blocks of 8×8 pixels: lit ones, edges, others that are brighter
-than the mean, and the rest. For each: how much of the light it has, its part of the block error over
-the mean, and how much too bright it is, in red, green and blue.
+"""Tells where a picture of exitance is wrong, in blocks of 8×8 pixels: lit ones, edges, others brighter than the mean,
+and the rest. Prints for each group its share of the light, its part of the block error relative to the mean, and its
+excess of brightness in red, green and blue.
 
   tools/regions.py ours.exr truth.csv irradiance.exr normal.exr
 
-The truth is two runs of the path reference as blocks.py writes them, whose noise is taken off the error. A block is lit where the
-irradiance is over a hundredth of the largest, and an edge where the background is in it or where the
-mean normal is over 63° from the camera's axis, which is z.
+The truth is two runs of the path reference in the format of blocks.py; their noise is subtracted from the error. A
+block is lit where the irradiance is over a hundredth of the largest. It is an edge where it contains background, or
+where the mean normal is over 63° from the camera's axis, z.
 """
 
 import csv
@@ -23,7 +23,7 @@ REGIONS = ("lit", "edges", "bright", "rest", "all")
 
 
 def region(covered, irradiance, facing, brightness):
-    """Of a block, by the largest irradiance and the mean brightness as 1."""
+    """The group of a block, with irradiance relative to the largest and brightness relative to the mean."""
     if irradiance > 0.01:
         return "lit"
     if covered < EDGE ** 2 or facing < 0.45:
@@ -32,7 +32,7 @@ def region(covered, irradiance, facing, brightness):
 
 
 def truth(name):
-    """Both runs, each as blocks() has it."""
+    """Both runs, each in the format of blocks()."""
     runs = ({}, {})
     with open(name, newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):

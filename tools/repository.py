@@ -1,4 +1,4 @@
-"""What all checkers share: the files of the repository and the way a finding is reported."""
+"""Shared by all checkers: the files of the repository, and how findings are reported."""
 
 import os
 import pathlib
@@ -12,12 +12,12 @@ SOURCE_FOLDERS = ("include", "src", "reference", "apps", "python", "examples", "
 
 
 def models_folder():
-    """Where models lie that are not in the repository."""
+    """The folder of models that are not in the repository."""
     return pathlib.Path(os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
 
 
 def tracked_files(root=ROOT):
-    """Paths relative to the root, of what git tracks or would track, that exist."""
+    """Existing files that git tracks or would track, relative to the root."""
     listing = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         cwd=root, check=True, capture_output=True).stdout.decode()
@@ -29,7 +29,7 @@ def read_text(path):
 
 
 def finish(title, findings):
-    """Prints the findings and leaves with the status that make understands."""
+    """Prints the findings and exits with the status for make."""
     for finding in findings:
         print(finding, file=sys.stderr)
     if findings:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs all tests of a preset, or with --quick those labelled so whose program or data have changed since they last
-passed. In the end it says what those that failed had printed, where nobody has to search for it."""
+"""Runs all tests of a preset, or with --quick those so labelled whose program or data have changed since they last
+passed. At the end it prints the output of failed tests, so that nobody has to search for it."""
 
 import argparse
 import hashlib
@@ -18,7 +18,7 @@ CODE = (".cpp", ".h", ".py", ".txt", ".glsl")
 
 
 def failing_cases(output):
-    """Name and output of each case of a GoogleTest program that failed or never came to its end."""
+    """Name and output of each case of a GoogleTest program that failed or did not finish."""
     for case in re.split(r"^\[ RUN      \] ", output, flags=re.MULTILINE)[1:]:
         name, _, said = case.partition("\n")
         end = re.search(r"^\[( *)(OK|FAILED|SKIPPED)( *)\] .*$", said, re.MULTILINE)
@@ -27,7 +27,7 @@ def failing_cases(output):
 
 
 def failures(report):
-    """Name and end of the output of each test that failed, of ctest's JUnit report."""
+    """Name and end of the output of each failed test in ctest's JUnit report."""
     found = []
     for test in xml.etree.ElementTree.parse(report).getroot().iter("testcase"):
         if test.get("status") != "fail":
@@ -39,7 +39,7 @@ def failures(report):
 
 
 def skipped_cases(report):
-    """Of GoogleTest programs, with the reason they give."""
+    """The skipped cases of GoogleTest programs, with their reasons."""
     for test in xml.etree.ElementTree.parse(report).getroot().iter("testcase"):
         output = test.findtext("system-out") or ""
         yield from re.findall(r"^\[  SKIPPED \] (\S+) \(", output, re.MULTILINE)
@@ -51,7 +51,8 @@ def passed_tests(report):
 
 
 def quick_tests(preset):
-    """Name -> the mark that a test labelled quick leaves when it passes: of its program and of all tests' data."""
+    """Name -> the mark that a quick test leaves when it passes. It depends on the test's program and on all tests'
+    data."""
     listing = subprocess.run(["ctest", "--preset", preset, "-L", "quick", "--show-only=json-v1"], cwd=ROOT,
                              capture_output=True, text=True, check=True)
     data = hashlib.sha256()

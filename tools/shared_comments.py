@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""For Doxygen, a filter of public headers: a comment above a group of declarations is that of each of them, and the first
-comment of a header is the file's."""
+"""A filter of public headers for Doxygen: a comment above a group of declarations applies to each of them, and the
+first comment of a header to the file."""
 
 import pathlib
 import re
@@ -10,7 +10,7 @@ from check_documented import blanked, declarations, opens
 
 
 def comment_above(lines, line):
-    """The comment that ends right before a line, from 1 on, as one that Doxygen reads."""
+    """The comment that ends right before a line, in the form that Doxygen reads; lines count from 1."""
     first = line - 1
     while first > 0 and lines[first - 1].strip().startswith("//"):
         first -= 1
@@ -19,7 +19,7 @@ def comment_above(lines, line):
 
 def shared(text):
     lines = text.splitlines()
-    above = {}  # line -> the comment that goes before it
+    above = {}  # line -> comment to put before it
     group, until = [], 0
     for _, first, last in declarations(blanked(text)):
         own = comment_above(lines, first)

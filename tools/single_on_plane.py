@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Light that leaves a half-space after one collision, summed over clusters, against the exact integral: a plane of square clusters in
-even light that arrives at a slant. Prints how much too bright the middle of a cluster is, for edges of clusters in mean free paths
-and angles of arrival: mean and root mean square over 12 azimuths, first as boundary transport has it, with a cluster's own light below
-its middle (single.comp.glsl), then with discs where slanting rays have brought it. Needs NumPy.
+"""Light that leaves a half-space after one collision, summed over clusters, against the exact integral. Square clusters
+cover a plane in even light at a slant. Prints how much too bright the middle of a cluster is, by cluster edge in mean
+free paths and by angle of arrival: mean and root mean square over 12 azimuths. The first pair is boundary transport's
+method, with a cluster's light below its middle (single.comp.glsl). The second moves the discs to where slanting rays
+have carried the light. Needs NumPy.
 
   tools/single_on_plane.py [ETA]
 """
@@ -17,11 +18,11 @@ GAUSS = (np.array((0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558)),
          np.array((0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226)))
 POINTS = (np.array((0.112701665, 0.5, 0.887298335)), np.array((5, 8, 5)) / 18)
 SOFT = 0.25          # of a disc's edge
-NEAR, FAR = 0.5, 1.5  # depths in radii: from the first on a disc becomes points, from the second on it is
+NEAR, FAR = 0.5, 1.5  # depths in radii between which a disc turns into points
 
 
 def first_points():
-    """Free paths and shares of the three points of light on its way in."""
+    """Path lengths and shares of the three points that represent light on its way in."""
     at, weights = POINTS
     paths = -2 * np.log(1 - at)
     shares = weights * np.exp(-0.5 * paths)
@@ -29,7 +30,7 @@ def first_points():
 
 
 def cone(eta):
-    """Cosines inside up to the critical angle, weighted by what leaves."""
+    """Cosines inside up to the critical angle, weighted by the light that leaves."""
     critical = np.sqrt(1 - 1 / eta ** 2)
     at, weights = GAUSS
     cosines = critical + at * (1 - critical)
@@ -37,7 +38,7 @@ def cone(eta):
 
 
 def exact(eta, arrival):
-    """½ ∫∫ e^{-t (1 + arrival/μ)} (1 - F) dμ dt of 1 that entered, over paths t and cosines μ."""
+    """½ ∫∫ e^{-t (1 + arrival/μ)} (1 - F) dμ dt per unit of light that entered, over paths t and cosines μ."""
     points, weights = np.polynomial.legendre.leggauss(400)
     critical = np.sqrt(1 - 1 / eta ** 2)
     cosines = critical + (points + 1) / 2 * (1 - critical)
@@ -46,7 +47,7 @@ def exact(eta, arrival):
 
 
 def smoothed(eta, depth, aside, radius):
-    """A cluster's point, over both discs: μ (1 - F) e^{-z/μ} / 4r² of 1 per area π ρ²."""
+    """Light of a cluster's point, averaged over both discs: μ (1 - F) e^{-z/μ} / 4r² per unit on the area π ρ²."""
     square = radius ** 2
     r = depth ** 2 + aside ** 2 + square
     cosine = np.sqrt((depth ** 2 + square) / r)
@@ -55,7 +56,7 @@ def smoothed(eta, depth, aside, radius):
 
 
 def disc(eta, depth, aside, radius):
-    """The same of a disc that lies aside: of each cone of directions the part that meets it."""
+    """The same for a disc to the side: for each cone of directions the part that hits the disc."""
     total = 0
     for cosine, weight in zip(*cone(eta)):
         ring = depth * np.sqrt(1 / cosine ** 2 - 1)
@@ -66,7 +67,7 @@ def disc(eta, depth, aside, radius):
 
 
 def centred(eta, depth, radius):
-    """The same of a disc below its own middle."""
+    """The same for a disc below its own middle."""
     critical = np.sqrt(1 - 1 / eta ** 2)
     begin = max(depth / np.hypot(depth, radius), critical)
     at, weights = GAUSS
@@ -75,7 +76,7 @@ def centred(eta, depth, radius):
 
 
 def found(eta, arrival, edge, azimuth, displaced):
-    """By clusters in a square lattice."""
+    """The sum over clusters in a square lattice."""
     radius = edge / np.sqrt(np.pi)
     at = np.arange(-40, 41) * edge
     x, y = np.meshgrid(at, at)

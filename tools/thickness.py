@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What diffusion lets out on the side of a slab where light enters, and on the other, over Monte Carlo, in percent:
-with 1/A as it is on a plane, and as much less as boundary transport makes it in thin parts
-(src/shaders/lib/escape.glsl). Sources fall with the depth z as exp(-z); lengths are in mean free paths, scattering is
-even, both boundaries are smooth dielectrics. Needs NumPy and SciPy.
+"""The light that diffusion lets out of a slab on the lit side and on the other, relative to Monte Carlo, in percent:
+with the plane's 1/A, and with 1/A reduced as boundary transport does in thin parts (src/shaders/lib/escape.glsl).
+Sources fall with the depth z as exp(-z). Lengths are in mean free paths, scattering is isotropic, and both boundaries
+are smooth dielectrics. Needs NumPy and SciPy.
 
   tools/thickness.py [ETA [SAMPLES]]
 """
@@ -17,7 +17,7 @@ THICKNESSES = (0.15, 0.3, 0.5, 1.0, 2.0, 4.0)
 
 
 class Slab:
-    """Between z = 0 and z = -thickness."""
+    """A slab between z = 0 and z = -thickness."""
 
     def __init__(self, thickness):
         self.thickness = thickness
@@ -42,7 +42,7 @@ class Slab:
 
 
 def of_plane(albedo, eta):
-    """1/A of a plane, as escape.glsl has it."""
+    """1/A of a plane, as in escape.glsl."""
     a = robin(eta)
     dark = 1 - albedo
     excess = (1 - 0.47 / a ** 2) * dark / (1 + 3.6 * dark)

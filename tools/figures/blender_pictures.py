@@ -18,7 +18,7 @@ ENGINES = ("OPALINE", "CYCLES")
 
 
 def blender(home, *words):
-    """What it printed. It has no settings but those of this run, and the system's Python."""
+    """The program's output. It runs with no settings but those of this run, and with the system's Python."""
     environment = {**os.environ, "HOME": str(home), "XDG_CONFIG_HOME": str(home / ".config"), "PATH": "/usr/bin:/bin"}
     done = subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", *map(str, words)],
                           env=environment, capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-// Half-spaces and boundary transport, each over its distance from light followed through the body.
+// Half-spaces and boundary transport, each above its difference from light traced through the body.
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ RenderOptions boundary() {
   return options;
 }
 
-/// Without the scale at the right: the same for all of them.
+/// Removes the scale at the right, which is the same for all maps.
 Image8 mapAlone(const Image8& drawn) {
   Image8 map{mapPixels, mapPixels, {}};
   for (int y = 0; y < mapPixels; ++y) {
@@ -101,7 +101,7 @@ void compareTransports(Studio& studio, const char* name, Scene scene, const Trut
     const Image found = studio.renderer.render(options, {Aov::Exitance}).images.at(0);
     show(what, found, found);
   }
-  // How far the truth may be off itself: half of what its two runs differ by.
+  // The truth's own error: half of the difference between its two runs.
   show("truth", truth.runs[0], truth.mean);
   const int columns = static_cast<int>(pictures.size());
   pictures.insert(pictures.end(), maps.begin(), maps.end());

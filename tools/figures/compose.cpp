@@ -24,7 +24,7 @@ Image8 blank(int width, int height) {
                                     static_cast<std::size_t>(height))};
 }
 
-/// Copies a panel to where its upper left pixel shall be.
+/// Copies a panel so that its upper left pixel is at (left, top).
 void blit(const Image8& panel, Image8& target, int left, int top) {
   using Offset = std::vector<std::uint8_t>::difference_type;
   for (int y = 0; y < panel.height; ++y) {

@@ -26,7 +26,7 @@ void cubes(Studio& studio, const char* name) {
   const SkyIrradiance irradiance = SkyIrradiance::entering(partsOfSky(lighting), eta);
   const Image original = cubeCross(
       2 * facePixels, [&](const Vec3& direction) { return radianceFrom(environment, direction); });
-  // Over π, as bright as the mean radiance that it comes from.
+  // Divided by π, so that it is as bright as the mean radiance from which it comes.
   const Image ambient = cubeCross(2 * facePixels, [&](const Vec3& normal) {
     Rgb colour{};
     const std::array<double, 3> entered = irradiance.at(normal);

@@ -21,13 +21,13 @@ std::span<const Figure> cubeFigures();
 /// Soft shadows of lights of several sizes.
 std::span<const Figure> lightFigures();
 
-/// The paper's sum beside the one in object space.
+/// The paper's sum next to the one in object space.
 std::span<const Figure> sumFigures();
 
-/// Half-spaces and boundary transport beside light followed through the body.
+/// Half-spaces and boundary transport next to light traced through the body.
 std::span<const Figure> boundaryFigures();
 
-/// The paper's map, exitance, surfels, and pictures beside them.
+/// The paper's map, exitance, surfels, and pictures next to them.
 std::span<const Figure> variableFigures();
 
 /// Figure 9, and motion that the paper does not show.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws growth.svg: the time that awkward files of growing size take, by what opaline_growth_bench measures."""
+"""Draws growth.svg: the time for awkward files of growing size, as measured by opaline_growth_bench."""
 
 import argparse
 import json
@@ -21,7 +21,7 @@ def measured():
 
 
 def times(rows, family, stages):
-    """Of all these stages together, at each size."""
+    """The sum of these stages at each size."""
     chosen = [row["seconds"] for row in rows if row["family"] == family and row["stage"] in stages]
     return [sum(seconds) for seconds in zip(*chosen)]
 

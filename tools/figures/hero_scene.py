@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Writes hero.toml, the scene of the front page's picture: a scanned head with a hoop of gold in its ear and a string of beads
-around its neck, behind a parapet of stone on which a gummy bear stands before the evening sun. Arguments are the head and the sky."""
+"""Writes hero.toml, the scene of the front page's picture: a scanned head with a gold hoop in its ear and a string of
+beads around its neck, behind a stone parapet with a gummy bear on it, before the evening sun. Arguments are the head
+and the sky."""
 
 import argparse
 import json
@@ -11,13 +12,13 @@ import struct
 # mm, in the head's own coordinates.
 EAR_LOBE = (68.0, 234.0, 20.5)
 HOOP_RADIUS, HOOP_WIRE = 15.0, 1.3
-# The beads lie in a plane that falls forward.
+# The beads lie in a plane that slopes forward.
 NAPE_HEIGHT, FALL = 112.0, -0.5
 BEAD_RADIUS, BEAD_GAP = 4.6, 0.35
 GOLD_EVERY = 6
-# Before the scan's lower end.
+# In front of the scan's lower end.
 PARAPET_LOW, PARAPET_HIGH, PARAPET_EDGE = (-700.0, -60.0, 165.0), (700.0, 62.0, 340.0), 4.0
-# Left over from the string, on the parapet.
+# Beads left over from the string, on the parapet.
 LOOSE_BEADS = [(128, 290), (146, 262), (110, 302), (205, 312)]
 BEAR = (215.0, 62.0, 250.0)
 BEAR_DIAGONAL = 78.0
@@ -87,7 +88,7 @@ def triangle_corners(glb):
 
 
 def hull(points):
-    """Of places in a plane, counter-clockwise (Andrew 1979)."""
+    """The convex hull of places in a plane, counter-clockwise (Andrew 1979)."""
     def half(ordered):
         chain = []
         for p in ordered:
@@ -101,7 +102,7 @@ def hull(points):
 
 
 def around(outline, step):
-    """Places along a closed line, as near to so far apart as fits."""
+    """Places along a closed line, spaced as near to the wanted distance as fits."""
     edges = [(a, b, math.dist(a, b)) for a, b in zip(outline, outline[1:] + outline[:1])]
     whole = sum(length for *_, length in edges)
     count = round(whole / step)
@@ -129,7 +130,7 @@ class Mesh:
         self.is_flat = False
 
     def grid(self, rows, columns, place):
-        """A surface that closes in both directions."""
+        """Adds a surface that closes in both directions."""
         first = len(self.places) + 1
         self.places += [place(i / rows, j / columns) for i in range(rows) for j in range(columns)]
         for i in range(rows):
@@ -157,8 +158,8 @@ class Mesh:
                 self.faces.append((self.material, [a + j, b + j, b + following, a + following]))
 
     def write(self, path):
-        """Returns the diagonal of its box."""
-        # Corners of flat faces do not share their places, so that each has its own normal.
+        """Writes the mesh and returns the diagonal of its box."""
+        # Flat faces do not share corners, so that each has its own normal.
         if self.is_flat:
             self.places = [self.places[corner - 1] for _, corners in self.faces for corner in corners]
             self.faces = [(its, range(4 * i + 1, 4 * i + 5)) for i, (its, _) in enumerate(self.faces)]
@@ -188,7 +189,7 @@ def hoop():
     def place(along, across):
         turn, roll = 2 * math.pi * along, 2 * math.pi * across
         radius = HOOP_RADIUS + HOOP_WIRE * math.cos(roll)
-        # A little out of the plane that it would hang in.
+        # Slightly out of the plane in which it would hang.
         return (middle[0] + HOOP_WIRE * math.sin(roll) - 0.35 * radius * math.sin(turn), middle[1] + radius * math.cos(turn),
                 middle[2] + radius * math.sin(turn))
     mesh.grid(96, 16, place)
@@ -200,7 +201,7 @@ def beads(corners):
     near = [(x, z) for x, y, z in corners if abs(y - (NAPE_HEIGHT + FALL * z)) < 4]
     line = hull(near)
     middle = [sum(axis) / len(line) for axis in zip(*line)]
-    # Outside of the skin.
+    # The string lies outside the skin.
     line = [tuple(m + (p - m) * (1 + (BEAD_RADIUS + 0.5) / math.dist((x, z), middle)) for m, p in zip(middle, (x, z)))
             for x, z in line]
     for i, (x, z) in enumerate(around(line, 2 * BEAD_RADIUS + BEAD_GAP)):
@@ -215,7 +216,7 @@ def beads(corners):
 
 
 def parapet():
-    """A slab whose edges are broken, so that they catch the light."""
+    """A slab with bevelled edges, which catch the light."""
     mesh = Mesh()
     mesh.material, mesh.is_flat = "stone", True
     low, high, edge = PARAPET_LOW, PARAPET_HIGH, PARAPET_EDGE
@@ -240,7 +241,7 @@ def main():
     parser.add_argument("--turn", type=float, default=TURN, help="of the sky, degrees")
     arguments = parser.parse_args()
     into = arguments.into
-    # Places are counted from the middle of the box around everything, which spans from the parapet to the crown.
+    # Places are relative to the middle of the box around everything, which spans from the parapet to the crown.
     corners = triangle_corners(arguments.head)
     middle = [0.5 * (PARAPET_LOW[0] + PARAPET_HIGH[0]), 0.5 * (PARAPET_LOW[1] + max(y for _, y, _ in corners)),
               0.5 * (min(z for *_, z in corners) + PARAPET_HIGH[2])]

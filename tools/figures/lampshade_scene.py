@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes lampshade.toml: a lamp with a pleated shade of paper, and a small bear of milk beside its foot."""
+"""Writes lampshade.toml: a lamp with a pleated paper shade, and a small bear of milk beside its foot."""
 
 import argparse
 import math
 import pathlib
 
-# mm; the shade is the widest and the highest of all, so that the middle of everything is on its axis.
+# In mm. The shade is wider and higher than all else, so that the middle of everything lies on its axis.
 SHADE = [(92.0, 74.0), (190.0, 40.0)]  # height, radius
 PLEATS, DEPTH = 40, 0.035
 FOOT = [(0, 0), (0, 40), (1, 43), (3, 44), (5, 43), (7, 40), (10, 30), (14, 19), (19, 11), (26, 6), (60, 4.5), (114, 3.5), (118, 0)]
@@ -67,7 +67,7 @@ fov_degrees = 22
 
 
 def write(path, profile, columns, pleat):
-    """A surface of revolution; returns the diagonal of its box."""
+    """Writes a surface of revolution and returns the diagonal of its box."""
     places = [(r * pleat(j) * math.sin(2 * math.pi * j / columns), h, r * pleat(j) * math.cos(2 * math.pi * j / columns))
               for h, r in profile for j in range(columns)]
     faces = [(i * columns + j, i * columns + (j + 1) % columns, (i + 1) * columns + (j + 1) % columns, (i + 1) * columns + j)

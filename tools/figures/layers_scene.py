@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Writes layers.toml: a sweet of three layers, which are one body of three media, lit from behind."""
+"""Writes layers.toml: a sweet of three layers, lit from behind. The layers are one body of three media."""
 
 import argparse
 import math
 import pathlib
 
-RADIUS, HEIGHT = 17.0, 21.0  # mm, across and half the height
+RADIUS, HEIGHT = 17.0, 21.0  # mm: radius and half height
 ROUND = 3.2  # exponent of the outline: 2 is an ellipse
 TILT = 24  # degrees
 COLUMNS, ROWS = 128, 96
-LAYERS = [("raspberry", -1.0), ("cream", -0.3), ("lemon", 0.28)]  # from that share of the half height upwards
+LAYERS = [("raspberry", -1.0), ("cream", -0.3), ("lemon", 0.28)]  # each starts at that share of the half height
 
 SCENE = """# Written by layers_scene.py.
 [media.raspberry]
@@ -59,7 +59,7 @@ medium = "{name}"
 
 
 def outline(row):
-    """Distance from the axis and height, as an outline from below to above."""
+    """Distance from the axis and height of a row of the outline, from bottom to top."""
     angle = math.pi * row / ROWS
     across, up = math.sin(angle), -math.cos(angle)
     size = (abs(across) ** ROUND + abs(up) ** ROUND) ** (-1 / ROUND)

@@ -10,7 +10,7 @@ namespace opaline::figures {
 
 namespace {
 
-/// A square in the plane of x and z, cells² squares, seen from above.
+/// A square in the plane of x and z, of cells² smaller squares, seen from above.
 Mesh plate(const Vec3& centreMm, float halfMm, int cells) {
   Mesh mesh;
   const auto corner = [&](int i) {
@@ -35,7 +35,7 @@ Mesh plate(const Vec3& centreMm, float halfMm, int cells) {
   return mesh;
 }
 
-/// The bear on a plate, under balls of light of four sizes that shine as bright.
+/// The bear on a plate, under equally bright balls of light in four sizes.
 void softShadows(Studio& studio, const char* name) {
   Scene scene = bear("gummy-red", 50);
   const Bounds bounds = boundsOf(scene);

@@ -1,4 +1,4 @@
-// Makes the pictures of docs/ and of the README, all or those named.
+// Makes the pictures of docs/ and of the README: all of them, or those named.
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ std::vector<Figure> named(const std::vector<std::string_view>& names) {
   return chosen;
 }
 
-/// Takes an option and its value out of the arguments.
+/// Removes an option and its value from the arguments.
 std::optional<std::string> takeValue(std::vector<std::string_view>& arguments,
                                      std::string_view option) {
   const auto found = std::find(arguments.begin(), arguments.end(), option);

@@ -1,4 +1,4 @@
-// Figure 9 of Gong et al. 2008, and motion that it does not show.
+// Figure 9 of Gong et al. 2008, and motion that the paper does not show.
 
 #include <fmt/format.h>
 
@@ -73,7 +73,7 @@ void deformers(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 5, 0, dark));
 }
 
-// Pulled at an ear, and after it is let go; then pressed into the belly.
+// The bear that is pulled at an ear, released, and then pressed into the belly.
 Scene bearToPoke() {
   Scene scene = bear("gummy-red", 50);
   scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
@@ -107,8 +107,8 @@ void poke(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 6, 0, dark));
 }
 
-// What a hand does to the bear: from one second to another it holds what is at a place, and leads
-// it to another, or lets go.
+// A hand's action on the bear: between two times it holds the flesh at `place` and moves it to
+// `to`, then lets go.
 struct Hold {
   double from;
   double until;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes stones.toml: three berries of jelly lit from behind, of which the second has a dark stone and the third a white one."""
+"""Writes stones.toml: three berries of jelly lit from behind. The second has a dark stone, the third a white one."""
 
 import argparse
 import math
@@ -64,7 +64,7 @@ material = "white"
 
 
 def write(path, radius, height, columns, rows):
-    """An ellipsoid of revolution about y, closed; returns the diagonal of its box."""
+    """Writes a closed ellipsoid of revolution about y, and returns the diagonal of its box."""
     rings = [(radius * math.sin(math.pi * i / rows), -height * math.cos(math.pi * i / rows)) for i in range(1, rows)]
     places = [(r * math.sin(2 * math.pi * j / columns), y, r * math.cos(2 * math.pi * j / columns)) for r, y in rings for j in range(columns)]
     bottom, top = len(places), len(places) + 1

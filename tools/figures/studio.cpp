@@ -14,7 +14,7 @@ namespace opaline::figures {
 
 namespace {
 
-/// Above 90 stb_image_write keeps colour at full resolution.
+/// Above 90, stb_image_write keeps colour at full resolution.
 constexpr int jpegQuality = 92;
 
 /// IEC 61966-2-1.

@@ -1,4 +1,4 @@
-// The paper's sum and the one in object space, each over its distance from the exact integral.
+// The paper's sum and the one in object space, each above its difference from the exact integral.
 
 #include <array>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int panelPixels = 360;
 
-/// At rest: the bear has no rig.
+/// The bear has no rig, so it is at rest.
 reference::Scene atRest(const Scene& scene) {
   reference::Scene result;
   for (const Object& object : scene.objects) {

@@ -1,4 +1,4 @@
-// What docs/pipeline.md and docs/scattering.md show of the stages between scene and picture.
+// The figures of docs/pipeline.md and docs/scattering.md for the stages between scene and picture.
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ void irradianceMap(Studio& studio, const char* name) {
   publish(studio, name, develop(mapOfBear(studio, Aov::DsmIrradiance), -1, black));
 }
 
-/// Texels that are full are ¾ white.
+/// Full texels are ¾ white.
 void areaMap(Studio& studio, const char* name) {
   Image map = mapOfBear(studio, Aov::DsmArea);
   float most = 0;
@@ -71,7 +71,7 @@ void models(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 3, 0, dark));
 }
 
-/// Neighbouring indices get colours far from each other.
+/// Gives neighbouring indices very different colours.
 Rgb colourOfIndex(float index) {
   std::uint32_t bits = static_cast<std::uint32_t>(index) * 2654435769U;
   bits = (bits ^ (bits >> 15U)) * 2246822519U;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes docs/images/view*.jpg: opens the window on a display in memory and takes pictures of its panels, into the
-current folder or that of --into. OPALINE names the program, SCENE a file with textures; Xvfb, xdotool and ImageMagick have to be there."""
+"""Makes docs/images/view*.jpg: opens the window on a virtual display and captures its panels, into the current folder
+or that of --into. OPALINE names the program, SCENE a file with textures. Needs Xvfb, xdotool and ImageMagick."""
 
 import argparse
 import pathlib
@@ -18,7 +18,7 @@ def pictures_into(folder, textured):
     from driver import WindowTest
 
     def shoot(window, name, width, height, left=0):
-        window.move((5, 5))  # no tooltip
+        window.move((5, 5))  # so that no tooltip shows
         window.settle()
         subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{left}+0", "+repage", "-quality", "88",
                         str(folder / name)], env=window.environment, check=True)

@@ -16,14 +16,14 @@ import sys
 
 import bpy
 
-# The Python module, for which it was built, beside this file.
+# The Python module for Blender's Python, beside this file.
 _LIBRARY = os.path.join(os.path.dirname(__file__), "library")
 
 
 def _module_problem():
-    """Why the Python module cannot be used; empty where it can."""
+    """Why the Python module cannot be used; empty if it can."""
     if "opaline" not in sys.modules and os.path.isdir(_LIBRARY):
-        # Whoever installs another version writes over the files here, which must not be those that are loaded.
+        # Installing another version overwrites the files here, so copies are loaded instead.
         loaded = os.path.join(bpy.app.tempdir, "opaline_library")
         shutil.copytree(_LIBRARY, loaded, dirs_exist_ok=True)
         sys.path.insert(0, loaded)

@@ -2,7 +2,7 @@
 
 import bpy
 
-MODULE_PROBLEM = ""  # why the Python module cannot be used; empty where it can
+MODULE_PROBLEM = ""  # why the Python module cannot be used; empty if it can
 
 
 class OpalineRenderEngine(bpy.types.RenderEngine):
@@ -62,7 +62,7 @@ class OpalineRenderEngine(bpy.types.RenderEngine):
             raise RuntimeError(MODULE_PROBLEM)
 
     def _fail(self, error):
-        """One sentence, once."""
+        """Reports an error as one sentence, and only once."""
         sentence = f"Opaline: {str(error) or type(error).__name__}"
         if sentence == self._said:
             return

@@ -9,7 +9,7 @@ from .notes import Notes
 from .reading import camera, snapshot
 from . import pixels, units
 
-# From frame to frame of an animation, by scene: its renderer, and what has been said of it.
+# Kept between frames of an animation, by scene: its renderer, and what has been reported.
 _live = {}
 
 
@@ -21,7 +21,7 @@ class Session:
 
 
 def forget(*_):
-    """What renders have kept on the device."""
+    """Drops what renders have kept on the device."""
     _live.clear()
 
 
@@ -33,7 +33,7 @@ def _session_of(scene):
 
 
 def picture_size(scene):
-    """Width and height of the whole picture, and the part of it that is rendered, in pixels from the lower left."""
+    """Width and height of the whole picture, and the rendered part of it in pixels from the lower left."""
     render = scene.render
     width = max(int(render.resolution_x * render.resolution_percentage / 100), 1)
     height = max(int(render.resolution_y * render.resolution_percentage / 100), 1)
@@ -45,7 +45,7 @@ def picture_size(scene):
 
 
 def matrices_of(depsgraph, scene, width, height, part):
-    """Of the scene's camera: where it is, and how it projects that part of the picture."""
+    """The camera's transform, and its projection for that part of the picture."""
     view = scene.camera.evaluated_get(depsgraph)
     render = scene.render
     projection = camera.projection_of(view, depsgraph, width, height, render.pixel_aspect_x, render.pixel_aspect_y)
@@ -54,14 +54,14 @@ def matrices_of(depsgraph, scene, width, height, part):
 
 
 def premultiplied(picture, transparent):
-    """As Blender stores it: rows from the bottom, colour times alpha."""
+    """A picture in Blender's form: rows from the bottom, colour times alpha."""
     picture = np.nan_to_num(picture[::-1])
     alpha = picture[..., 3:] if transparent else np.ones_like(picture[..., 3:])
     return np.concatenate([picture[..., :3] * picture[..., 3:], alpha], axis=2)
 
 
 def _depths(picture, mm_per_unit):
-    """In Blender's units; what is covered by nothing is as far as in Cycles."""
+    """Depth in Blender's units. Pixels without surface are as far as in Cycles."""
     picture = picture[::-1]
     return np.where(picture[..., 3] > 0, picture[..., 0] / mm_per_unit, 1e10)[..., None]
 
@@ -75,13 +75,13 @@ class Cancelled(Exception):
 
 
 def _on_a_thread(work, is_cancelled):
-    """Blender's window stays alive meanwhile. A picture that nobody wants any more ends in its own time."""
+    """Renders while Blender's window stays alive. A picture that is no longer wanted finishes in its own time."""
     done = {}
 
     def run():
         try:
             done["result"] = work()
-        except Exception as error:  # handed on below
+        except Exception as error:  # raised again below
             done["error"] = error
 
     thread = threading.Thread(target=run, daemon=True)
@@ -152,7 +152,7 @@ class FinalRender:
                                    antialias=int(chosen.samples), bounces=chosen.bounces)
 
     def _of_nothing(self, seen, size, wanted):
-        """The world's colour alone."""
+        """A picture of the world's colour only."""
         empty = {name: np.zeros((size[1], size[0], 4), dtype=np.float32) for name in wanted}
         if not self._scene.render.film_transparent:
             empty["radiance"][:] = (*seen.world.ambient, 1)
@@ -179,11 +179,11 @@ class FinalRender:
             into = passes.get(name)
             if into is None:
                 continue
-            # Between two depths or two normals there is none.
+            # A mean of two depths or two normals would be wrong.
             fitted = pixels.nearest if name in ("Depth", "Normal") else pixels.averaged
             values = np.ascontiguousarray(fitted(picture, *size), dtype=np.float32)
             if len(passes) == 1:
                 passes.foreach_set("rect", values.ravel())
-            else:  # which foreach_set cannot tell apart
+            else:  # foreach_set cannot tell them apart
                 into.rect = values.reshape(-1, values.shape[2]).tolist()
         self._engine.end_result(result)

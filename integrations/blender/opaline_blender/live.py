@@ -1,4 +1,4 @@
-"""One renderer that follows a scene from moment to moment and remakes only what changed."""
+"""One renderer that follows a changing scene and remakes only what changed."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def _set_environment(scene, world):
 
 
 def scene_of(snapshot):
-    """opaline.Scene, but for its camera."""
+    """opaline.Scene without its camera."""
     scene = _scene_of(snapshot, Materials())
     _set_lights(scene, snapshot)
     _set_environment(scene, snapshot.world)
@@ -46,11 +46,11 @@ class LiveRenderer:
 
     @property
     def bounds(self):
-        """Of what is shown, where it is not empty."""
+        """The bounds of the scene shown, which must not be empty."""
         return self._shown.bounds
 
     def show(self, snapshot):
-        """From the next picture on."""
+        """Shows a snapshot from the next picture on."""
         if not snapshot.bodies:
             self._shown = snapshot
             return

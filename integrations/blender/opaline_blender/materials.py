@@ -1,4 +1,4 @@
-"""Looks as materials of the Python module."""
+"""Turns looks into materials of the Python module."""
 
 import numpy as np
 
@@ -7,14 +7,14 @@ from .reading import images
 
 
 class Materials:
-    """Makes what an opaline.Object is made of, and keeps the pictures that it has read."""
+    """Makes the materials of an opaline.Object, and keeps the pictures that it has read."""
 
     def __init__(self):
-        self._textures = {}  # by what they show and how it lies; with the state of the picture that was read
+        self._textures = {}  # by picture and mapping; with the picture's state when it was read
         self._brightest = {}
 
     def keywords(self, look):
-        """What opaline.Object takes beside its mesh."""
+        """The arguments of opaline.Object besides its mesh."""
         import opaline
 
         if look.medium:
@@ -48,7 +48,7 @@ class Materials:
         paint = None
         texture = self._texture(look.color_picture, images.colors_of)
         if texture is not None:
-            # The brightest colour is the medium's, what is darker lies on it as paint.
+            # The medium has the brightest colour. Darker ones are paint on it.
             color = self._brightest[look.color_picture.key()]
             paint = opaline.Paint(color_texture=texture)
         medium = subsurface.medium_of(look.radius_mm, color, look.radius_kind, look.subsurface_ior, look.anisotropy,
@@ -73,13 +73,13 @@ class Materials:
         return self._kept((read.__name__, *picture.key()), picture.state, make)
 
     def _kept(self, key, state, make):
-        """What was made before, unless the pictures have changed since."""
+        """The value that was made before, unless the pictures have changed since."""
         if self._textures.get(key, (None, None))[0] != state:
             self._textures[key] = state, make()
         return self._textures[key][1]
 
     def _metallic_roughness(self, look):
-        """Both in one picture, as glTF has them: green is roughness, blue metallic."""
+        """Both in one picture, as in glTF: green is roughness, blue metallic."""
         import opaline
 
         picture = look.roughness_picture or look.metallic_picture

@@ -1,8 +1,8 @@
-"""What a render cannot show, said once."""
+"""What a render cannot show, reported once."""
 
 
 class Notes:
-    """Kinds of things that are not shown, each with the names of some that have it."""
+    """Kinds of things that are not shown, each with some names."""
 
     MOST_NAMES = 3
 

@@ -1,10 +1,10 @@
-"""Opaline's panels, and those of Blender that it shares."""
+"""Opaline's panels, and those of Blender that it uses."""
 
 import bpy
 
 from . import settings, units
 
-# Of Eevee's panels, those whose settings mean something here.
+# Eevee's panels whose settings have a meaning here.
 OF_EEVEE = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface", "DATA_PT_EEVEE_light"}
 NOT_SHARED = {"RENDER_PT_freestyle", "RENDER_PT_simplify", "VIEWLAYER_PT_filter"}
 

@@ -1,10 +1,10 @@
-"""Pixels that are not square: pictures are rendered of square ones, which are finer along one side, and made of these."""
+"""Pixels that are not square: pictures are rendered with finer square pixels and converted."""
 
 import numpy as np
 
 
 def square_size(width, height, projection):
-    """Width and height in square pixels of what a projection shows, neither of them less than what is asked for."""
+    """The size in square pixels of what a projection shows; neither edge is less than asked for."""
     aspect = projection[1, 1] / projection[0, 0]
     if aspect * height > width:
         return max(round(aspect * height), width), height
@@ -12,7 +12,7 @@ def square_size(width, height, projection):
 
 
 def averaged(picture, width, height):
-    """Each pixel is the mean of what it covers."""
+    """Each pixel is the mean over its area."""
     for axis, count in enumerate((height, width)):
         if picture.shape[axis] != count:
             picture = np.moveaxis(_averaged(np.moveaxis(picture, axis, 0), count), 0, axis)
@@ -20,7 +20,7 @@ def averaged(picture, width, height):
 
 
 def _averaged(rows, count):
-    """Rows before each edge are summed; of the row that an edge divides, its part."""
+    """Sums the rows before each edge, including a part of the row that the edge divides."""
     sums = np.concatenate([np.zeros((1, *rows.shape[1:])), np.cumsum(rows, axis=0, dtype=np.float64)])
     edges = np.arange(count + 1) * len(rows) / count
     whole = np.minimum(edges.astype(int), len(rows) - 1)
@@ -29,6 +29,6 @@ def _averaged(rows, count):
 
 
 def nearest(picture, width, height):
-    """Each pixel is what is seen in its middle."""
+    """Each pixel is the value at its middle."""
     rows, columns = (((np.arange(count) + 0.5) * have / count).astype(int) for count, have in zip((height, width), picture.shape))
     return picture[rows[:, None], columns]

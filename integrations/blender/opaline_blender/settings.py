@@ -1,4 +1,4 @@
-"""What an artist sets: of a scene, of a view layer, of a material."""
+"""What an artist sets for a scene, a view layer or a material."""
 
 import bpy
 
@@ -26,7 +26,7 @@ def mean_free_paths_mm(medium):
 
 
 def _tag(self, context):
-    """So that the viewport follows: Blender itself takes no notice of properties that add-ons define."""
+    """Makes the viewport follow: Blender itself ignores changes of properties that add-ons define."""
     del context
     self.id_data.update_tag()
 

@@ -20,19 +20,19 @@ import math
 
 import numpy as np
 
-FIXED = "fixed"  # the radius is a mean free path, but for a factor
-ALONG_VIEW = "along view"  # the same of a walk that starts along the view
+FIXED = "fixed"  # the radius is a mean free path, up to a factor
+ALONG_VIEW = "along view"  # as FIXED, for a walk that starts along the view
 ADJUSTED = "adjusted"  # the radius is a diffusion length, by the dipole
 
-# What nothing is made of: beyond it the fit's logarithms and the medium's coefficients end.
+# No real material is beyond these. There the fit's logarithms and the medium's coefficients fail.
 LEAST_COLOR, MOST_COLOR = 0.005, 0.99
-MOST_ETA = 1.6  # which the fit of colours to media knows
+MOST_ETA = 1.6  # limit of the fit from colours to media
 
 LEAST_ALBEDO, MOST_ALBEDO = 0.2, 0.999999  # of Cycles' walk
 
 
 def kind_of(method):
-    """Of Blender's name of a method. RANDOM_WALK means another thing in 3.x and in 4.x."""
+    """The kind for Blender's name of a method. RANDOM_WALK has different meanings in 3.x and 4.x."""
     import bpy
 
     if bpy.app.version >= (4, 0, 0):
@@ -47,7 +47,7 @@ def dipole_reflectance(reduced_albedo, four_thirds_a):
 
 
 def reduced_albedo_of(color, eta):
-    """The other way, as Cycles has it."""
+    """The inverse, computed as in Cycles."""
     if color < 1e-4:
         return 0.0
     if color >= 0.995:
@@ -66,7 +66,7 @@ def reduced_albedo_of(color, eta):
 
 
 def mean_free_path(radius, color, kind, eta):
-    """Of the reduced medium, in the radius' unit."""
+    """The mean free path of the reduced medium, in the radius' unit."""
     if kind == ADJUSTED:
         return radius * math.sqrt(3 * (1 - reduced_albedo_of(color, eta)))
     return radius / (4 * math.pi)
@@ -109,7 +109,7 @@ def walk_length(radius, color, kind, eta, g):
 
 
 def reflectance_of(albedo):
-    """Of a half-space that scatters evenly, as a function of the cosines at which light starts."""
+    """The reflectance of a half-space with isotropic scattering, as a function of the cosines at which light starts."""
     at, weights = (values / 2 for values in np.polynomial.legendre.leggauss(32))
     at = at + 0.5
     absorbed = math.sqrt(1 - albedo)
@@ -126,7 +126,7 @@ def reflectance_of(albedo):
 
 
 def refracted(cosine, eta, alpha, count=16):
-    """Cosines inside, for a view through microfacets of GGX that it sees (Heitz 2018)."""
+    """Cosines inside for a view through the GGX microfacets that it sees (Heitz 2018)."""
     u, v = (part.ravel() for part in np.meshgrid(*2 * [(np.arange(count) + 0.5) / count]))
     view = np.array((math.sqrt(1 - cosine * cosine), 0, cosine))
     stretched = np.array((alpha * view[0], 0, view[2]))
@@ -145,17 +145,17 @@ def refracted(cosine, eta, alpha, count=16):
 
 @functools.lru_cache(maxsize=64)
 def seen_in_mean(color, eta, g, roughness):
-    """Of a walk that starts along the view, the mean over views."""
+    """The colour of a walk that starts along the view: the mean over views."""
     albedo = walk_albedo(color, g)
-    reflectance = reflectance_of(albedo * (1 - g) / (1 - albedo * g))  # as if it scattered evenly
+    reflectance = reflectance_of(albedo * (1 - g) / (1 - albedo * g))  # as if scattering were isotropic
     squares, weights = np.polynomial.legendre.leggauss(8)
     return sum(weight / 2 * float(reflectance(refracted(math.sqrt((square + 1) / 2), eta, roughness ** 2)).mean())
                for square, weight in zip(squares, weights))
 
 
 def medium_of(radius_mm, color, kind, eta=1.4, g=0.0, surface_eta=1.5, roughness=0.5):
-    """opaline.Medium for red, green and blue. eta is the method's index of refraction, surface_eta that of the body, whose
-    roughness is for ALONG_VIEW."""
+    """opaline.Medium for red, green and blue. eta is the method's index of refraction, surface_eta the body's. The
+    roughness only matters for ALONG_VIEW."""
     import opaline
 
     color = np.clip(np.asarray(color, dtype=float)[:3], LEAST_COLOR, MOST_COLOR)

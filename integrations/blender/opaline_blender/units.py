@@ -1,22 +1,22 @@
-"""Blender's world is z up, in units of its own; ours is y up, in millimetres."""
+"""Blender's world is z up, in its own units; ours is y up, in millimetres."""
 
 import numpy as np
 
-# Rows of the turn from Blender's axes to ours, which is the one that Blender's exporter of glTF makes.
+# Rows of the rotation from Blender's axes to ours, the same as in Blender's glTF exporter.
 AXES = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], dtype=np.float64)
 
 
 def mm_per_unit(scene):
-    """Of lengths in the scene. Where units are off, one is a metre."""
+    """Millimetres per unit of the scene. Without units, one is a metre."""
     settings = scene.unit_settings
     return 1000 * (settings.scale_length if settings.system != "NONE" else 1)
 
 
 def turned(vectors):
-    """Directions, or places in Blender's units, in our axes: (..., 3)."""
+    """Converts directions, or places in Blender's units, to our axes: (..., 3)."""
     return np.asarray(vectors, dtype=np.float64) @ AXES.T
 
 
 def turned_back(vectors):
-    """From our axes to Blender's."""
+    """Converts from our axes to Blender's."""
     return np.asarray(vectors, dtype=np.float64) @ AXES

@@ -1,4 +1,4 @@
-"""The viewport's rendered mode: a small picture at once, then larger ones while nothing changes."""
+"""The viewport's rendered mode: first a small picture, then larger ones while nothing changes."""
 
 import threading
 import weakref
@@ -11,12 +11,13 @@ from .live import LiveRenderer
 from .notes import Notes
 from .reading import camera, snapshot
 
-SHARES = (8, 4, 2, 1)  # of the width and height, one after the other
-SMALLEST = 48  # pixels, of the first picture
+SHARES = (8, 4, 2, 1)  # divisors of width and height, in order
+SMALLEST = 48  # pixels of the first picture
 
 
 class Viewport:
-    """Takes scenes from Blender's own thread and shows the pictures that a worker makes of them. With it ends the worker."""
+    """Takes scenes on Blender's own thread and shows the pictures that a worker makes of them. The worker ends with
+    it."""
 
     def __init__(self, engine):
         self._worker = Worker(engine)
@@ -29,14 +30,14 @@ class Viewport:
         self._worker.end()
 
     def update(self, engine, context, depsgraph):
-        """The scene changed."""
+        """To be called when the scene has changed."""
         notes = Notes()
         seen = snapshot.Reader(depsgraph, units.mm_per_unit(depsgraph.scene), notes).read()
         for sentence in notes.sentences():
             if sentence not in self._said:
                 self._said.add(sentence)
                 engine.report({"WARNING"}, f"Opaline: {sentence}")
-        # A scene that looks as before is not begun anew, so that its picture gets finer meanwhile.
+        # A scene that looks as before is not started again, so that its picture keeps getting finer.
         if self._seen is not None and self._seen.is_same(seen):
             seen = None
         else:
@@ -44,7 +45,7 @@ class Viewport:
         self._worker.take(Wish(context, depsgraph), seen)
 
     def draw(self, engine, context, depsgraph):
-        """Shows the best picture there is, and asks for another where the view has changed."""
+        """Shows the best picture so far, and asks for another where the view has changed."""
         picture = self._worker.take(Wish(context, depsgraph))
         if picture is not None:
             self._show(engine, context, depsgraph, picture)
@@ -66,12 +67,12 @@ class Viewport:
 
 
 class Worker:
-    """A thread that makes pictures: of the newest scene and view, first a small one, then larger ones."""
+    """A thread that renders the newest scene and view: first a small picture, then larger ones."""
 
     def __init__(self, engine):
         self._engine = weakref.ref(engine)
         self._changed = threading.Condition()
-        self._scene = None  # that is not shown yet
+        self._scene = None  # not shown yet
         self._wish = None
         self._picture = None
         self._failure = None
@@ -84,7 +85,7 @@ class Worker:
             self._changed.notify()
 
     def take(self, wish, scene=None):
-        """The newest picture, or None. Throws what went wrong."""
+        """The newest picture, or None. Raises the worker's exception."""
         with self._changed:
             if scene is not None:
                 self._scene, self._failure = scene, None
@@ -97,7 +98,7 @@ class Worker:
 
     def _work(self):
         live = None
-        done, share = None, 1  # the wish that the last picture fulfils, and how much smaller it is
+        done, share = None, 1  # the wish of the last picture, and its divisor
         while True:
             with self._changed:
                 while not self._ends and self._scene is None and (self._wish is done and share == 1):
@@ -119,7 +120,7 @@ class Worker:
                 picture = self._picture_of(live, wish, share, scene is None)
                 with self._changed:
                     self._picture = picture
-            except Exception as error:  # thrown again by take(), on Blender's thread
+            except Exception as error:  # raised again by take(), on Blender's thread
                 with self._changed:
                     self._failure = error
                 share = 1
@@ -130,7 +131,7 @@ class Worker:
         engine = self._engine()
         try:
             engine.tag_redraw()
-        except (AttributeError, ReferenceError):  # the viewport is gone
+        except (AttributeError, ReferenceError):  # the viewport no longer exists
             return False
         return True
 
@@ -145,7 +146,7 @@ class Worker:
 
 
 class Wish:
-    """What a picture of the viewport is to show."""
+    """What a picture of the viewport must show."""
 
     def __init__(self, context, depsgraph):
         view, scene = context.region_data, depsgraph.scene

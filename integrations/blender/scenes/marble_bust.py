@@ -1,9 +1,9 @@
-"""A bust of marble, 40 cm high, before a window."""
+"""A marble bust, 40 cm high, in front of a window."""
 
 import bpy
 import parts
 
-# Middle, half axes and turn about x of the ellipsoids it is hewn from, metres.
+# Middle, half axes and turn about x of the ellipsoids that form the bust, in metres.
 ELLIPSOIDS = (
     ((0, 0, 0.30), (0.075, 0.092, 0.105), 0.0),  # skull
     ((0, -0.045, 0.255), (0.058, 0.055, 0.068), 0.0),  # face

@@ -1,4 +1,4 @@
-"""What the scenes of this folder are made of. Lengths are in metres, as Blender's units are."""
+"""Parts of the scenes in this folder. Lengths are in metres, like Blender's units."""
 
 import bpy
 from mathutils import Vector
@@ -51,7 +51,7 @@ def area_light(name, place, target, size, power, color=(1, 1, 1)):
 
 
 def set_input(node, value, *names):
-    """The input of the first of these names that there is."""
+    """The node's input with the first of these names that exists."""
     for name in names:
         if name in node.inputs:
             node.inputs[name].default_value = value
@@ -59,7 +59,7 @@ def set_input(node, value, *names):
 
 
 def material(name, color, radius=None, roughness=0.5, specular=0.5):
-    """A Principled BSDF; with a radius for red, green and blue, light enters it."""
+    """A Principled BSDF. With a radius for red, green and blue, it has subsurface scattering."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     shader = made.node_tree.nodes["Principled BSDF"]
@@ -95,7 +95,7 @@ def smooth(thing, levels=1):
 
 
 def joined(pieces, name):
-    """One object of several, which overlap."""
+    """Joins several overlapping objects."""
     for piece in pieces:
         piece.select_set(True)
     bpy.context.view_layer.objects.active = pieces[0]
@@ -107,7 +107,7 @@ def joined(pieces, name):
 
 
 def cast(thing, voxel, iterations):
-    """Makes one skin of what overlaps, and smooths it."""
+    """Makes overlapping parts one smooth surface."""
     remesh = thing.modifiers.new("Remesh", "REMESH")
     remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", voxel, True
     thing.modifiers.new("Smooth", "SMOOTH").iterations = iterations

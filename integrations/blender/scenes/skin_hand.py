@@ -6,7 +6,7 @@ import bpy
 import parts
 from mathutils import Vector
 
-# Of each finger: where it begins, its direction in the palm's plane, the lengths of its bones and its thickness, metres.
+# For each finger: its root, its direction in the palm's plane, the lengths of its bones and its thickness, in metres.
 FINGERS = {
     "thumb": ((-0.030, 0.012), (-0.75, 0.66), (0.034, 0.028), 0.0105),
     "index": ((-0.026, 0.085), (-0.10, 1.0), (0.040, 0.024, 0.018), 0.0088),
@@ -18,7 +18,7 @@ WRIST = (0.0, -0.02)
 
 
 def joints(name):
-    """Along a finger, from its root."""
+    """Places along a finger, from its root."""
     (x, y), (dx, dy), lengths, _ = FINGERS[name]
     norm = math.hypot(dx, dy)
     places = [(x, y, 0.0)]
@@ -41,7 +41,7 @@ def limb(start, end, thick_at_start, thick_at_end):
 
 
 def pieces():
-    """Fingers of cones, and a palm of a flat ball below each."""
+    """Fingers of cones, and a palm made of a flat ball below each finger."""
     for name, (root, _, lengths, thickness) in FINGERS.items():
         places = joints(name)
         for i in range(len(lengths)):
@@ -83,7 +83,7 @@ def armature(hand):
 
 
 def weigh(hand, bones):
-    """Each place follows the bones that are nearest to it, the nearer the more."""
+    """Each vertex follows the nearest bones; nearer ones count more."""
     groups = {bone.name: hand.vertex_groups.new(name=bone.name) for bone in bones.bones}
     for vertex in hand.data.vertices:
         near = []

@@ -1,4 +1,4 @@
-"""Suzanne of wax, 8 cm wide, with an area light behind her."""
+"""A wax Suzanne, 8 cm wide, with an area light behind her."""
 
 import bpy
 import parts
@@ -11,7 +11,7 @@ def make():
     head = bpy.context.object
     head.rotation_euler = (-0.3, 0, 0.45)
     parts.smooth(head, 2)
-    # Her eyes are parts of their own; wax is cast in one.
+    # Her eyes are separate parts, but wax is cast in one piece.
     parts.cast(head, 0.0006, 4)
     head.data.materials.append(parts.material("Wax", (0.85, 0.62, 0.38), (0.004, 0.0025, 0.0014), roughness=0.35))
     parts.plane("Table", (0, 0, -0.0235), (0, 0, 1), 0.6, parts.material("Table", (0.35, 0.35, 0.36), roughness=0.9))

@@ -1,1 +1,1 @@
-"""Blender's data as plain descriptions of what is rendered."""
+"""Blender's data as plain descriptions of what to render."""

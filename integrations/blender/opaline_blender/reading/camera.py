@@ -1,4 +1,4 @@
-"""Cameras, by the matrix that Blender projects with."""
+"""Cameras, from the matrices with which Blender projects."""
 
 import itertools
 import math
@@ -9,17 +9,17 @@ from .. import units
 
 
 def _before(place, ahead, bounds):
-    """So far back, in mm, that nothing of the bounds is behind."""
+    """How far back, in mm, the camera must be so that nothing in the bounds is behind it."""
     low, high = bounds
     nearest = np.where(ahead > 0, low, high)
     return 1.01 * max(float(np.dot(place - nearest, ahead)), 0)
 
 
 def camera_of(to_world, projection, mm_per_unit, bounds=None):
-    """opaline.Camera of the camera's matrix and its projection, as OpenGL has them: looking along -z, y up.
+    """opaline.Camera from the camera's matrix and its projection, in OpenGL's convention: looking along -z, y up.
 
-    The near plane of a parallel projection may lie behind its place, as in viewports. What is there is shown if the bounds of all
-    that there is are given, in our axes and mm."""
+    The near plane of a parallel projection may lie behind its place, as in viewports. Objects there are shown if the
+    bounds of everything are given, in our axes and mm."""
     import opaline
 
     matrix, projection = np.array(to_world, dtype=float), np.array(projection, dtype=float)
@@ -38,7 +38,7 @@ def camera_of(to_world, projection, mm_per_unit, bounds=None):
 
 
 def clips(to_world, projection, mm_per_unit, mesh):
-    """Whether some of a mesh, in our axes and mm, would be in the picture but for the clip distances."""
+    """Whether only the clip distances hide some of a mesh, in our axes and mm, from the picture."""
     to_picture = np.array(projection, dtype=float) @ np.linalg.inv(np.array(to_world, dtype=float))
 
     def projected(positions):
@@ -46,14 +46,14 @@ def clips(to_world, projection, mm_per_unit, mesh):
         return to_picture[:, :3] @ places.T + to_picture[:, 3:]
 
     _, _, z, w = projected(np.array(list(itertools.product(*zip(*mesh.bounds)))))
-    if np.all((w > 0) & (np.abs(z) <= w)):  # so is all that is in the box
+    if np.all((w > 0) & (np.abs(z) <= w)):  # then everything in the box is, too
         return False
     x, y, z, w = projected(mesh.positions)
     return bool(np.any((w > 0) & (np.abs(x) <= w) & (np.abs(y) <= w) & (np.abs(z) > w)))
 
 
 def cropped(projection, left, bottom, right, top):
-    """The projection of a part of the picture, whose edges are shares of its width and height."""
+    """The projection of a part of the picture, given by its edges as shares of width and height."""
     width, height = right - left, top - bottom
     window = np.array([[1 / width, 0, 0, (1 - right - left) / width],
                        [0, 1 / height, 0, (1 - top - bottom) / height],

@@ -17,7 +17,8 @@ def decoded(values):
 
 
 def pixels_of(image):
-    """Array (height, width, 4), float32, row 0 at the top, as the picture stores them; None where there are none."""
+    """Array (height, width, 4), float32, row 0 at the top, with the values that the picture stores; None if there are
+    none."""
     width, height = image.size
     if width == 0 or height == 0 or image.channels == 0 or not image.has_data and not _loads(image):
         return None
@@ -37,7 +38,8 @@ def _loads(image):
 
 
 def state_of(image):
-    """Another one when the picture's pixels have changed: painted, packed, made anew or loaded from another file."""
+    """A value that changes with the picture's pixels: when it is painted, packed, made again or loaded from another
+    file."""
     if image.is_dirty:
         values = np.empty(len(image.pixels), dtype=np.float32)
         image.pixels.foreach_get(values)
@@ -54,12 +56,12 @@ def state_of(image):
 
 
 def stored_as_colors(image):
-    """Whether its pixels are sRGB-encoded."""
+    """Whether the picture stores sRGB-encoded colours."""
     return not image.is_float and image.colorspace_settings.name in ("sRGB", "Filmic sRGB", "AgX Base sRGB")
 
 
 def colors_of(image):
-    """sRGB-encoded, whatever the picture stores."""
+    """sRGB-encoded pixels, whatever the picture stores."""
     pixels = pixels_of(image)
     if pixels is not None and not stored_as_colors(image):
         pixels[..., :3] = encoded(pixels[..., :3])
@@ -67,7 +69,7 @@ def colors_of(image):
 
 
 def values_of(image, channel):
-    """Of one channel, or as bright as the colours are: array (height, width). A color becomes a number as in Blender, by Rec. 709."""
+    """One channel, or the luminance by Rec. 709, as Blender turns a color into a number: array (height, width)."""
     pixels = radiance_of(image)
     if pixels is None:
         return None
@@ -75,14 +77,14 @@ def values_of(image, channel):
 
 
 def resampled(values, height, width):
-    """Of another size, by the nearest texel."""
+    """The values at another size, by the nearest texel."""
     rows = (np.arange(height) * values.shape[0]) // height
     columns = (np.arange(width) * values.shape[1]) // width
     return values[rows[:, None], columns]
 
 
 def radiance_of(image):
-    """Linear."""
+    """Linear pixels."""
     pixels = pixels_of(image)
     if pixels is not None and stored_as_colors(image):
         pixels[..., :3] = decoded(pixels[..., :3])

@@ -1,4 +1,4 @@
-"""Lamps, by the units that Cycles gives them."""
+"""Lamps, in the units that Cycles gives them."""
 
 import math
 
@@ -6,12 +6,12 @@ import numpy as np
 
 from .. import units
 
-SHARP_SUN_DEGREES = 3  # of a larger sun one would see that its shadows are soft
+SHARP_SUN_DEGREES = 3  # shadows of larger suns are visibly soft
 MOST_SUN_DEGREES = 20  # that are mirrored
 
 
 def _directions(matrix):
-    """The lamp's own axes in ours, with their scale."""
+    """The lamp's axes, with their scale, in our axes."""
     return units.turned(np.array(matrix, dtype=float)[:3, :3].T)
 
 
@@ -47,8 +47,8 @@ def _spot(lamp, place, axes, notes, mm_per_unit):
     if lamp.shadow_soft_size > 0:
         notes.add("the size of spot lamps is not shown: their shadows are sharp", lamp.name)
     outer = min(lamp.spot_size / 2, math.pi / 2)
-    # From the rim on, Cycles' falloff is a smooth step of the cosine, ours a square. Over three quarters of its width,
-    # ours lets the same light through.
+    # Cycles' falloff from the rim is a smooth step of the cosine, ours a square. Over three quarters of the width, ours
+    # lets the same light through.
     rim = math.cos(outer)
     inner = math.acos(min(rim + 0.75 * (1 - rim) * lamp.spot_blend, 1))
     return opaline.SpotLight(place, -axes[2], intensity=_color(lamp) * lamp.energy / (4 * math.pi) * mm_per_unit ** 2,
@@ -56,7 +56,7 @@ def _spot(lamp, place, axes, notes, mm_per_unit):
 
 
 def _of_power(area):
-    """Radiance of a watt: from 4.0 on that of a matt surface, before a factor of pi / 4 less."""
+    """Radiance per watt: from 4.0 on that of a matt surface, before that less by a factor of pi / 4."""
     import bpy
 
     return 1 / ((math.pi if bpy.app.version >= (4, 0, 0) else 4) * area)

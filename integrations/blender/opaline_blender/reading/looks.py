@@ -1,4 +1,4 @@
-"""What a material is to be shown as."""
+"""How a material is shown."""
 
 import dataclasses
 
@@ -13,7 +13,7 @@ class Look:
     """Everything about a material that decides pixels. Lengths are in mm."""
 
     name: str = ""
-    medium: str = ""  # one of ours by name; else what follows
+    medium: str = ""  # one of ours by name; if empty, the following apply
     color: tuple = (0.8, 0.8, 0.8)
     color_picture: nodes.Picture = None
     radius_mm: tuple = None  # of a body that light enters
@@ -31,7 +31,7 @@ class Look:
     emission: tuple = (0.0, 0.0, 0.0)
     emission_picture: nodes.Picture = None
     alpha: float = 1.0
-    is_cut_out: bool = False  # where alpha is below a half, that of the colours' picture included
+    is_cut_out: bool = False  # where alpha, including that of the colours' picture, is below a half
     unlit: bool = False
     through: float = 0.0  # share of the light given back diffusely that leaves the other side instead
     through_color: tuple = (1.0, 1.0, 1.0)
@@ -48,7 +48,7 @@ class Look:
 
 GREY = Look()
 
-MOST_REFLECTANCE = 0.66  # head on, of an index of 10
+MOST_REFLECTANCE = 0.66  # head on, for an index of 10
 
 
 def _ior_of_reflectance(head_on):
@@ -57,13 +57,13 @@ def _ior_of_reflectance(head_on):
 
 
 def _reflection(node):
-    """An index of refraction that reflects as the surface does head on, and whether it reflects at all: 1 or 0."""
+    """An index of refraction with the surface's head-on reflectance, and 1 or 0 for whether it reflects at all."""
     if nodes.socket(node, "Specular IOR Level") is not None:
-        # Of 4.x: a factor of what follows from the index (Cycles 4.0, kernel/svm/closure.h).
+        # 4.x: a factor on the reflectance of the index (Cycles 4.0, kernel/svm/closure.h).
         ior = nodes.number(node, 1.5, "IOR")
         head_on = ((ior - 1) / (ior + 1)) ** 2 * 2 * nodes.number(node, 0.5, "Specular IOR Level")
     else:
-        # Of 3.x: 1 is eight per cent of reflection (Burley 2012).
+        # 3.x: 1 means eight per cent of reflection (Burley 2012).
         head_on = 0.08 * nodes.number(node, 0.5, "Specular")
     head_on = min(max(head_on, 0), MOST_REFLECTANCE)
     return (_ior_of_reflectance(head_on), 1.0) if head_on > 0 else (1.5, 0.0)
@@ -80,16 +80,16 @@ def _normal(node, notes, name):
 
 
 def _textured(node, default, notes, name, socket):
-    """A number and the picture that it multiplies."""
+    """A number, and the picture that it multiplies."""
     picture = nodes.picture(nodes.socket(node, socket), notes, name)
     return 1.0 if picture else nodes.number(node, default, socket), picture
 
 
-MATT_METAL = 0.4  # roughness, beyond which facets send on more than 3 % of the light
+MATT_METAL = 0.4  # roughness beyond which facets reflect more than 3 % of the light to each other
 
 
 def _note_metal(node, notes, name, metallic, roughness):
-    """Each a number and the picture that it multiplies."""
+    """Both arguments are a number and the picture that it multiplies."""
     is_metal = metallic[0] > 0 or metallic[1] is not None
     is_rough = roughness[0] > MATT_METAL or roughness[1] is not None
     if getattr(node, "distribution", "") == "GGX" and is_metal and is_rough:
@@ -105,13 +105,13 @@ def _note_what_is_left(node, notes, name):
         notes.add("transmission is not shown: what is clear is shown as opaque", name)
     if nodes.number(node, 0, "Anisotropic") > 0:
         notes.add("anisotropic reflection is not shown", name)
-    tint = nodes.socket(node, "Specular Tint")  # how much of it in 3.x, a colour in 4.x
+    tint = nodes.socket(node, "Specular Tint")  # a strength in 3.x, a colour in 4.x
     if tint is not None and np.any(np.array(tint.default_value) != (0 if tint.type == "VALUE" else 1)):
         notes.add("the tint of reflections is not shown", name)
 
 
 def _scattering(node, look, mm_per_unit, notes):
-    """With the subsurface of a Principled BSDF, where it has some."""
+    """The look with the subsurface scattering of a Principled BSDF, if it has some."""
     weight = nodes.number(node, 0, "Subsurface Weight", "Subsurface")
     if weight <= 0 or look.metallic >= 1:
         return look
@@ -202,7 +202,7 @@ SHADERS = {"BSDF_PRINCIPLED": _principled, "BSDF_DIFFUSE": _diffuse, "BSDF_GLOSS
 
 
 def _look_behind(of, name, mm_per_unit, notes, deepest=32):
-    """Of the shader that a socket is linked to; None where it is not known."""
+    """The look of the shader to which a socket is linked; None if it is not supported."""
     behind = nodes.source(of)
     if behind is None or deepest == 0:
         return None
@@ -220,7 +220,7 @@ def _look_behind(of, name, mm_per_unit, notes, deepest=32):
 
 
 def look_of(material, mm_per_unit, notes):
-    """Of a bpy.types.Material, or of none."""
+    """The look of a bpy.types.Material, or of None."""
     if material is None:
         return GREY
     chosen = getattr(material, "opaline", None)

@@ -8,7 +8,7 @@ import numpy as np
 
 @dataclasses.dataclass
 class Mesh:
-    """In the object's own space. Vertices that differ in normal or texture coordinates are apart."""
+    """A mesh in the object's own space. Vertices that differ in normal or texture coordinates are separate."""
 
     positions: np.ndarray  # (N, 3)
     normals: np.ndarray  # (N, 3)
@@ -17,11 +17,11 @@ class Mesh:
 
     @functools.cached_property
     def bounds(self):
-        """Two corners of the box around it."""
+        """Two opposite corners of its box."""
         return self.positions.min(axis=0), self.positions.max(axis=0)
 
     def is_like(self, other):
-        """Whether it is the same but for where its vertices are."""
+        """Whether only the positions of the vertices differ."""
         return (self.positions.shape == other.positions.shape and np.array_equal(self.triangles, other.triangles) and
                 (self.coordinates is None) == (other.coordinates is None) and
                 (self.coordinates is None or np.array_equal(self.coordinates, other.coordinates)))
@@ -57,7 +57,8 @@ SAME_NORMAL = 1e-3
 
 
 def _numbered(values):
-    """Of whole numbers, in their order: where each of them comes first, and which of them each is. Needs no sorting."""
+    """For whole numbers: where each distinct one comes first, and the index of each among the distinct ones, in order
+    of appearance. Needs no sorting."""
     first = np.full(values.max() + 1, -1, dtype=np.int64)
     first[values[::-1]] = np.arange(len(values) - 1, -1, -1)
     there = np.flatnonzero(first >= 0)
@@ -67,12 +68,12 @@ def _numbered(values):
 
 
 def _rounded(normals):
-    """So that what differs by rounding is one."""
+    """Rounds normals, so that rounding errors do not make them differ."""
     return np.rint(normals * 8192).astype(np.int32)
 
 
 def _joined(vertices, normals, coordinates):
-    """Which corner stands for each vertex to come, and which of them each corner is."""
+    """Which corner stands for each new vertex, and the new vertex of each corner."""
     if coordinates is None:
         first, which = _numbered(vertices)
         if np.abs(normals - normals[first[which]]).max() < SAME_NORMAL:
@@ -83,7 +84,7 @@ def _joined(vertices, normals, coordinates):
     rows = np.ascontiguousarray(np.concatenate(columns, axis=1))
     _, first, which = np.unique(rows.view(np.dtype((np.void, rows.itemsize * rows.shape[1]))).ravel(), return_index=True,
                                 return_inverse=True)
-    # In the order of the mesh, which stays from frame to frame.
+    # In the order of the mesh, which stays the same between frames.
     order = np.argsort(first, kind="stable")
     rank = np.empty_like(order)
     rank[order] = np.arange(len(order))

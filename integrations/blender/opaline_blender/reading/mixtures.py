@@ -1,4 +1,4 @@
-"""What mixed shaders are shown as."""
+"""How mixed shaders are shown."""
 
 import dataclasses
 
@@ -6,8 +6,8 @@ from . import nodes
 
 
 def look_of(node, inputs, look_of_input, name, notes):
-    """Of a Mix Shader or an Add Shader: a sheet that lets light through where one of the two is Translucent, a mask where the first
-    is Transparent, and else one of them."""
+    """The look of a Mix Shader or an Add Shader: a sheet that lets light through if one of the two is Translucent, a
+    mask if the first is Transparent, and otherwise one of the two."""
     kinds = [_kind(entry) for entry in inputs]
     factor = nodes.socket(node, "Fac", "Factor") if node.type == "MIX_SHADER" else None
     if len(kinds) == 2 and kinds.count("BSDF_TRANSLUCENT") == 1:
@@ -32,8 +32,8 @@ def _kind(entry):
 
 
 def _sheet(front, translucent, factor, is_reversed, name, notes):
-    """Cycles mixes the light given back and that let through; here a share of what would be given back goes through. None where
-    that says something else."""
+    """A sheet for a mix. Cycles mixes reflected and transmitted light; here a share of what would be reflected is
+    transmitted. None where that would look different."""
     if front is None or front.is_translucent or front.metallic > 0 or front.metallic_picture is not None:
         return None
     shown = {"through_color": translucent.through_color, "through_picture": translucent.through_picture}
@@ -46,7 +46,7 @@ def _sheet(front, translucent, factor, is_reversed, name, notes):
                                    emission=tuple((1 - share) * each for each in front.emission), **shown)
     if front.color_picture is not None or translucent.through_picture is not None:
         return None
-    # Of a sum, both parts keep their light.
+    # In a sum, both parts keep their light.
     most = max(front.color), max(translucent.through_color)
     if most[1] <= 0:
         return front

@@ -13,11 +13,11 @@ class Picture:
     wrap: str
     interpolated: bool
     transform: tuple  # two rows, from coordinates with v down
-    channel: int = None  # red, green, blue or alpha, where it is one of them
+    channel: int = None  # red, green, blue or alpha, if it is a single channel
     state: tuple = ()  # of its pixels
 
     def place(self):
-        """How it lies on a surface."""
+        """How the picture lies on a surface."""
         return self.wrap, self.interpolated, self.transform
 
     def key(self):
@@ -30,7 +30,7 @@ UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 
 
 def socket(node, *names):
-    """The input of the first of these names that the node has: they differ between 3.x and 4.x."""
+    """The node's input with the first of these names that it has: they differ between 3.x and 4.x."""
     for name in names:
         for candidate in node.inputs:
             if candidate.name == name and candidate.enabled:
@@ -39,7 +39,7 @@ def socket(node, *names):
 
 
 def source(of):
-    """The output that a socket is linked to, through reroutes; None without one."""
+    """The output to which a socket is linked, through reroutes; None if there is none."""
     while of is not None and of.is_linked and of.links:
         link = of.links[0]
         if link.is_muted:
@@ -51,7 +51,7 @@ def source(of):
 
 
 def value(of, default):
-    """The number of a socket, where there is one."""
+    """The number in a socket, or the default without a socket."""
     if of is None:
         return default
     behind = source(of)
@@ -75,7 +75,7 @@ def vector(node, default, *names):
 
 
 def _transform(node, notes, name):
-    """Of the Mapping node before an image: about z alone."""
+    """The transform of the Mapping node before an image; of its turns only the one about z counts."""
     import math
 
     behind = source(socket(node, "Vector"))
@@ -95,7 +95,7 @@ def _transform(node, notes, name):
 
 
 def picture(of, notes, name):
-    """The Picture a socket is linked to; None where it is linked to nothing or to what is not shown."""
+    """The Picture to which a socket is linked; None where it is not linked, or to something unsupported."""
     behind = source(of)
     if behind is None or behind.node.type in ("RGB", "VALUE"):
         return None
@@ -114,7 +114,7 @@ def picture(of, notes, name):
 
 
 def mask(of, color_picture, notes, name):
-    """Alpha by a socket, and whether the surface ends where it is below a half."""
+    """The alpha of a socket, and whether the surface ends where it is below a half."""
     found = picture(of, notes, name)
     if found is not None:
         notes.add("alpha is shown as a mask, which ends at a half", name)

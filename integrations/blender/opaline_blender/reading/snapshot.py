@@ -22,7 +22,7 @@ class Body:
 
 
 def _properties(light):
-    """Of an opaline light."""
+    """The properties of an opaline light."""
     return [(name, np.asarray(getattr(light, name)).tolist()) for name in dir(light) if not name.startswith("_")]
 
 
@@ -34,19 +34,19 @@ class Snapshot:
 
     @functools.cached_property
     def bounds(self):
-        """The corners of the box around all bodies, mm; there is one at least."""
+        """Opposite corners of the box around all bodies, mm; there must be a body."""
         lows, highs = zip(*(body.mesh.bounds for body in self.bodies))
         return np.min(lows, axis=0), np.max(highs, axis=0)
 
     def is_same(self, other):
-        """Whether it looks the same: Blender tells of many changes that nobody sees."""
+        """Whether both look the same: Blender reports many changes that have no visible effect."""
         return (self.world == other.world and len(self.bodies) == len(other.bodies) and len(self.lights) == len(other.lights) and
                 all(type(a) is type(b) and _properties(a) == _properties(b) for a, b in zip(self.lights, other.lights)) and
                 all(a.is_same(b) for a, b in zip(self.bodies, other.bodies)))
 
 
 def _placed(part, matrix, mm_per_unit):
-    """A mesh in our axes. A mirrored one is turned inside out, so that its triangles go the right way round."""
+    """A mesh in our axes. A mirrored one is turned inside out, so that its triangles keep their orientation."""
     matrix = np.array(matrix, dtype=np.float64)
     linear = matrix[:3, :3]
     positions = units.turned(part.positions @ linear.T + matrix[:3, 3]) * mm_per_unit
@@ -61,7 +61,7 @@ def _placed(part, matrix, mm_per_unit):
 
 
 class Reader:
-    """Reads what a depsgraph shows. Meshes that several instances share are read once."""
+    """Reads what a depsgraph shows. A mesh that several instances share is read once."""
 
     def __init__(self, depsgraph, mm_per_unit, notes):
         self._depsgraph = depsgraph

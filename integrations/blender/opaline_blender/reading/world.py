@@ -1,4 +1,4 @@
-"""The world: a colour, or a picture of all around."""
+"""The world: a colour, or an environment picture."""
 
 import dataclasses
 import math
@@ -20,11 +20,11 @@ class World:
         return (self.image.name_full, self.strength, self.turn_degrees, self.state) if self.image else None
 
     def picture(self):
-        """Radiance as an environment of ours has it: the top is up, and the middle looks along Blender's y."""
+        """Radiance as an environment of ours: the top is up, and the middle looks along Blender's y."""
         pixels = images.radiance_of(self.image)
         if pixels is None:
             return None
-        # The middle of Blender's looks along x, a quarter further to the right.
+        # Blender's middle looks along x, a quarter further to the right.
         return np.roll(np.maximum(np.nan_to_num(pixels[..., :3]), 0), pixels.shape[1] // 4, axis=1)
 
 
@@ -32,7 +32,7 @@ DARK = World()
 
 
 def world_of(world, notes):
-    """Of a bpy.types.World, or of none."""
+    """The environment of a bpy.types.World, or of None."""
     if world is None:
         return DARK
     if not world.use_nodes or world.node_tree is None:
