@@ -1,4 +1,4 @@
-// The frame loop takes no memory from the heap once it has warmed up.
+// The frame loop allocates nothing on the heap once it has warmed up.
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -50,7 +50,7 @@ Scene moving() {
   return scene;
 }
 
-/// The same beside an opaque body, with everything that a clip can change beside nodes.
+/// The same with an opaque body, and with everything that a clip can change besides nodes.
 Scene changing() {
   Scene scene = moving();
   Object plate;
@@ -81,14 +81,14 @@ Scene changing() {
 RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 16;
-  options.maxSurfels = 1024;  // coarse: all passes of a frame have something to do
+  options.maxSurfels = 1024;  // coarse, but every pass of a frame has work
   options.maxClusters = 128;
   options.dsmSize = 64;
   options.shadowSize = 64;
   return options;
 }
 
-/// Allocations of this thread in the frames after the warm-up.
+/// Counts this thread's allocations in the frames after the warm-up.
 template <typename BeforeFrame>
 std::size_t allocationsOfSteadyFrames(Renderer& renderer, View& view, const FrameOrder& order,
                                       const BeforeFrame& before) {
@@ -123,8 +123,9 @@ TEST(AllocationTest, ClipsThatChangeLightsAndMaterialsAllocateNothing) {
   }
 }
 
-// Nor does the device, which C++ does not see. Mesa 22.3 kept half a megabyte a frame where
-// uniforms alone decided a branch of the backdrop. A sanitizer's heap says nothing.
+// The driver must not either, whose C code the counters do not see. Mesa 22.3 kept half a megabyte
+// a frame where only uniforms decided a branch of the backdrop. A sanitizer's heap cannot be
+// measured.
 TEST(AllocationTest, SteadyFramesLeaveNothingInTheHeap) {
   Scene scene = moving();
   scene.lighting.environment = std::make_shared<Image>(4, 2);
@@ -167,7 +168,7 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
       }
 }
 
-// A light that is dragged makes nothing anew; its environment is shared, not copied.
+// Dragging a light rebuilds nothing; its environment is shared, not copied.
 TEST(AllocationTest, LightsThatMoveAllocateNothing) {
   Renderer renderer;
   Scene scene = moving();
@@ -208,7 +209,8 @@ TEST(AllocationTest, SoftBodiesAllocateNothing) {
   EXPECT_TRUE(body.moves());
 }
 
-// Nor for frames that others submit, where they lay exitance into buffers of theirs or not.
+// Frames that others submit allocate nothing either, whether or not they write exitance into the
+// caller's buffers.
 TEST(AllocationTest, RecordedFramesAllocateNothing) {
   Renderer renderer;
   renderer.setScene(moving());

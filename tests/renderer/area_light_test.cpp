@@ -1,4 +1,4 @@
-// Area lights: what they give a plate against closed forms and quadrature, and their penumbrae.
+// Area lights: their light on a plate against closed forms and quadrature, and their penumbrae.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Scene plate(const Medium& medium, float halfMm = 20, int cells = 64) {
                  0.9F * halfMm);
 }
 
-// Of surfels, where the camera sees them.
+// Shows the surfels that the camera sees.
 RenderOptions options() {
   RenderOptions options = smallOptions();
   options.maxSurfels = 65'536;
@@ -56,18 +56,18 @@ std::vector<Found> irradianceOf(const std::vector<Image>& images) {
   return found;
 }
 
-// Where the index is almost 1 all light enters: Lambert's closed forms, on the axis.
+// With an index near 1 all light enters, so Lambert's closed forms hold on the axis.
 TEST_F(AreaLightTest, HaveTheirClosedForms) {
   constexpr double eta = 1.01;
   constexpr double height = 10;
-  const auto rectangle = [](double a, double b) {  // of a corner over the point
+  const auto rectangle = [](double a, double b) {  // of a corner above the point
     const double x = a / height;
     const double y = b / height;
     const double p = std::sqrt(1 + x * x);
     const double q = std::sqrt(1 + y * y);
     return 0.5 * (x / p * std::atan(y / p) + y / q * std::atan(x / q));
   };
-  const auto sphere = [](const Vector& centre) {  // all of it above the horizon
+  const auto sphere = [](const Vector& centre) {  // wholly above the horizon
     return [centre](const Vector& position) {
       const Vector offset = centre - position;
       return 2 * pi * 36 * offset[1] / std::pow(length(offset), 3);
@@ -129,7 +129,7 @@ TEST_F(AreaLightTest, GiveAPlateWhatQuadratureGives) {
 TEST_F(AreaLightTest, ASmallOneIsAPointLight) {
   Scene scene = plate(ofIndex(1.4));
   const float area = 4 * 0.2F * 0.2F;
-  // Intensity of what faces straight down is L A μ.
+  // A light that faces straight down has the intensity L A μ.
   scene.lighting.areas = {RectangleLight{{0, 20, 0}, {0.2F, 0, 0}, {0, 0, 0.2F}, {100, 100, 100}}};
   const auto square = irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}));
   scene.lighting = {};
@@ -143,7 +143,7 @@ TEST_F(AreaLightTest, ASmallOneIsAPointLight) {
   }
 }
 
-// A plate of which a sheet hides what is left of `edge` from the middle of a disc.
+// A plate, and a sheet that hides the part of a disc left of `edge`, as seen from the middle.
 Scene plateBelowHalfPlane(float radius, float edge) {
   Scene scene = plate(ofIndex(1.4), 12, 96);
   scene.objects.push_back(
@@ -154,12 +154,12 @@ Scene plateBelowHalfPlane(float radius, float edge) {
   return scene;
 }
 
-// Half of what is below a disc far away is hidden: what is left of the disc is a segment.
+// The sheet hides half of the plane below a distant disc, so a segment of the disc remains visible.
 TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
   constexpr double radius = 4;
   const Scene scene = plateBelowHalfPlane(radius, 0);
   std::vector<double> errors;
-  // Of all surfels at one distance from the edge.
+  // Sums over all surfels at one distance from the edge.
   constexpr int columns = 20;
   std::array<double, columns> sum{};
   std::array<int, columns> count{};
@@ -168,7 +168,7 @@ TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
     const double x = found.position[0];
     if (std::abs(found.position[1]) > 1e-3 || std::abs(x) > 6) continue;
     const double open = byQuadrature(scene.lighting.areas[0], found.position, 1.4);
-    // From x the edge at the height of 50 hides all of the disc that is left of -x.
+    // Seen from x, the edge at the height 50 hides the part of the disc left of -x.
     const double error = found.irradiance / open - shareBeyondEdge(-x, radius);
     errors.push_back(std::abs(error));
     const auto column = static_cast<std::size_t>((x + 6) / 12 * columns) % columns;
@@ -176,13 +176,13 @@ TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
     ++count[column];
   }
   ASSERT_GT(errors.size(), 500U);
-  EXPECT_LT(percentile95(errors), 0.065);  // of single surfels
+  EXPECT_LT(percentile95(errors), 0.065);  // single surfels
   for (std::size_t i = 0; i < columns; ++i) EXPECT_LT(std::abs(sum[i] / count[i]), 0.025) << i;
 }
 
-// Its penumbra is a fifth of a surfel wide: neighbours are not mixed.
+// The penumbra is a fifth of a surfel wide: neighbouring surfels are not mixed.
 TEST_F(AreaLightTest, TheShadowOfASmallOneIsSharp) {
-  constexpr float edge = 0.18F;  // within some that lie side by side
+  constexpr float edge = 0.18F;  // within adjacent surfels
   const Scene scene = plateBelowHalfPlane(0.0125F, edge);
   int lit = 0;
   int dark = 0;
@@ -202,7 +202,7 @@ TEST_F(AreaLightTest, TheShadowOfASmallOneIsSharp) {
 
 TEST_F(AreaLightTest, ShineToTheirFrontUnlessTheyHaveTwoSides) {
   Scene scene = plate(ofIndex(1.4));
-  RectangleLight light{{0, 10, 0}, {0, 0, 5}, {5, 0, 0}, {1, 1, 1}};  // upwards
+  RectangleLight light{{0, 10, 0}, {0, 0, 5}, {5, 0, 0}, {1, 1, 1}};  // faces upwards
   scene.lighting.areas = {light};
   for (const Found& found :
        irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance})))
@@ -214,8 +214,8 @@ TEST_F(AreaLightTest, ShineToTheirFrontUnlessTheyHaveTwoSides) {
     ASSERT_GT(found.irradiance, 0);
 }
 
-// What a smooth surface mirrors of a light has its shape and is as bright as it times Fresnel's
-// reflectance, which is (0.5 / 2.5)² for light that falls in along the normal.
+// A smooth surface mirrors a light in its shape, with the light's radiance times Fresnel's
+// reflectance. That is (0.5 / 2.5)² along the normal.
 TEST_F(AreaLightTest, AreMirroredWithTheirShape) {
   Scene scene = plate(ofIndex(1.5), 20, 8);
   // Its mirror image is 10 mm behind the plate: from 90 mm above, the edge at x = 6 is seen at 5.4.
@@ -245,7 +245,7 @@ TEST_F(AreaLightTest, AreMirroredWithTheirShape) {
   EXPECT_GT(outside, 2000);
 }
 
-// However small a light is, a surface mirrors of it what it would of a point.
+// A surface mirrors a very small light as it mirrors a point.
 TEST_F(AreaLightTest, ASmallOneIsMirroredAsAPointIs) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 30}, 5.5F);
   const Vec3 place{20, 30, 40};
@@ -274,7 +274,7 @@ TEST_F(AreaLightTest, ASmallOneIsMirroredAsAPointIs) {
   }
 }
 
-// All light that enters is followed into the body: with and without area lights the same solver.
+// The same solver must treat light that enters the body with and without area lights.
 TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 30}, 5.5F);
   const RectangleLight light{{0, 28, 18}, {10, 0, 0}, {0, -5, 8}, {4, 4, 4}};
@@ -284,7 +284,7 @@ TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
   scene.lighting.areas = {light};
   const Image area = render(scene, boundary, {Aov::Exitance})[0];
   scene.lighting = {};
-  constexpr int across = 2;  // of as many point lights as there may be shadow maps for
+  constexpr int across = 2;  // limited by the number of shadow maps for point lights
   std::vector<float> sum(area.rgba.size(), 0);
   constexpr int steps = 5;
   for (int i = 0; i < steps * steps; i += across * across) {
@@ -322,8 +322,8 @@ double rmsOverMean(const Image& image, const std::vector<float>& expected) {
   return std::sqrt(squares * count) / mean;
 }
 
-// Its light slants in every way, and so collides nearer to the surface than light of its middle: as
-// that of many small ones does.
+// Its slanting light collides nearer to the surface than light from its middle would, and so must
+// equal that of many small lights.
 TEST_F(AreaLightTest, ALargeOneNearABodyIsManySmallOnes) {
   constexpr int across = 8;
   constexpr float halfMm = 10;

@@ -12,7 +12,8 @@
 
 namespace opaline::test {
 
-// ∫ L F_t μ over the light, by places all over it and without occluders. The plate lies at y = 0.
+// ∫ L F_t μ over the light, summed over places all over it without occluders. The plate lies at y =
+// 0.
 inline double byQuadrature(const AreaLight& light, const Vector& position, double eta,
                            const Vector& normal = {0, 1, 0}, int steps = 96) {
   double sum = 0;
@@ -31,8 +32,8 @@ inline double byQuadrature(const AreaLight& light, const Vector& position, doubl
   return static_cast<double>(radianceOf(light)[0]) * sum * areaMm2(light) / (steps * steps);
 }
 
-// The light that is left of a disc of such a radius beyond an edge that goes by its middle at that
-// distance: the area of a segment of it.
+// The visible share of a disc beyond an edge at that distance from its middle: the area of a
+// segment.
 inline double shareBeyondEdge(double distance, double radius) {
   const double d = std::clamp(distance / radius, -1.0, 1.0);
   return (std::acos(d) - d * std::sqrt(1 - d * d)) / std::numbers::pi;
@@ -46,10 +47,10 @@ inline double percentile95(std::vector<double> errors) {
 inline std::vector<AreaLight> everyShape() {
   return {
       RectangleLight{{4, 12, -3}, {6, 0, 1}, {1, 2, 5}, {3, 3, 3}, true},
-      RectangleLight{{25, 3, 0}, {0, 8, 0}, {0, 0, 8}, {3, 3, 3}, true},  // through the horizon
+      RectangleLight{{25, 3, 0}, {0, 8, 0}, {0, 0, 8}, {3, 3, 3}, true},  // crosses the horizon
       DiscLight{{-5, 9, 2}, {0.4F, -0.9F, 0.1F}, 5, {3, 3, 3}},
       SphereLight{{3, 11, 5}, 6, {3, 3, 3}},
-      SphereLight{{-24, 2, 0}, 3, {3, 3, 3}},  // through the horizon
+      SphereLight{{-24, 2, 0}, 3, {3, 3, 3}},  // crosses the horizon
       TubeLight{{-15, 8, -4}, {12, 10, 6}, 1.5F, {3, 3, 3}},
   };
 }

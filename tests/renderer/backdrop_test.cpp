@@ -1,4 +1,4 @@
-// What a picture shows where no surface is: visible lights and the environment.
+// The picture where there is no surface: visible lights and the environment.
 
 #include <gtest/gtest.h>
 
@@ -30,14 +30,14 @@ class BackdropTest : public RendererTest {
     return options;
   }
 
-  // A ball around the origin, seen aslant.
+  // A ball around the origin, seen at an angle.
   static Scene ball() { return sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {30, 12, 25}, 12); }
 
   Image radiance(const Scene& scene, const RenderOptions& options) {
     return render(scene, options, {Aov::Radiance}).at(0);
   }
 
-  // Through a pixel's centre, by the camera's angles.
+  // The ray through a pixel's centre, from the camera's angles.
   static Vector sight(const Camera& camera, int x, int y) {
     const Vector axis = unit(toVector(camera.targetMm) - toVector(camera.positionMm));
     const Vector right = unit(cross(axis, toVector(camera.up)));
@@ -91,7 +91,7 @@ TEST_F(BackdropTest, EnvironmentAndAmbientLightFillWhatNoSurfaceCovers) {
 
 TEST_F(BackdropTest, VisibleLightsStandWhereTheyAre) {
   Scene scene = ball();
-  // Before the ball and behind it, and a disc whose back is seen.
+  // Lights in front of the ball and behind it, and a disc seen from its back.
   scene.lighting.areas = {RectangleLight{{9, 2, -8}, {0, 4, 1}, {-3, 1, 3}, {2, 3, 4}, true, true},
                           DiscLight{{-4, -7, 6}, {1, 0.5F, 1}, 2.5F, {5, 1, 2}, false, true},
                           DiscLight{{6, 7, 2}, {-1, -0.5F, -1}, 3, {9, 9, 9}, false, true},
@@ -131,7 +131,7 @@ TEST_F(BackdropTest, VisibleLightsStandWhereTheyAre) {
       if (!same) ++wrong;
     }
   EXPECT_GT(lit, 1000);
-  EXPECT_LE(wrong, 4);  // where a pixel's centre lies on an edge, as far as rounding knows
+  EXPECT_LE(wrong, 4);  // pixels whose centre lies on an edge within rounding
 }
 
 TEST_F(BackdropTest, EdgesOfLightsAreSmooth) {
@@ -142,7 +142,7 @@ TEST_F(BackdropTest, EdgesOfLightsAreSmooth) {
   options.environmentBehind = true;
   scene.lighting.ambient = {1, 1, 1};
   const Image image = radiance(scene, options);
-  // A light as bright as what is behind it leaves no rim anywhere outside the body.
+  // A light as bright as its background leaves no visible rim outside the body.
   const RenderOptions plain = BackdropTest::options();
   const Image body = radiance(scene, plain);
   for (int y = 1; y + 1 < size; ++y)

@@ -1,5 +1,5 @@
-// Bodies that boundary transport cannot be right about, or that are hard to get right: it says
-// something finite and not too bright of each, and steps aside where there is no inside.
+// Bodies for which boundary transport cannot be right, or hardly so. Its result must be finite and
+// not too bright, and it must not be used where there is no inside.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ void light(Scene& scene) {
   scene.lighting.directional = {{toVec3(unit({0.45, 0.35, 0.82})), {pi, pi, pi}}};
 }
 
-// There is no inside to solve in.
+// Boundary transport has no inside to solve in.
 TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
   Scene scene = sceneOf(sheet({0, 0, 0}, {8, 0, 0}, {0, 8, 0}), marble(), {0, 10, 40}, 12);
   light(scene);
@@ -44,10 +44,10 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
   }
 }
 
-// Six square faces of two triangles each, hundreds of mean free paths wide, lit brightly from
-// behind: the side away from that is in even light and as good as a half-space, whatever shapes its
-// clusters have. What that reflects is the project's table slab_mc.csv, "inf", diffuse, marble red
-// and blue.
+// Six square faces of two triangles each, hundreds of mean free paths wide, brightly lit from
+// behind. The far side is in even light and acts as a half-space, whatever the shapes of its
+// clusters. Its reflectance is in the project's table slab_mc.csv, "inf", diffuse, marble red and
+// blue.
 TEST_F(BoundaryAwkwardTest, ALargeCoarseRodIsEven) {
   constexpr double halfWidthMm = 70;
   const std::map<std::size_t, double> reflected{{0, 0.7656}, {2, 0.6971}};
@@ -60,7 +60,7 @@ TEST_F(BoundaryAwkwardTest, ALargeCoarseRodIsEven) {
   EXPECT_LE(result.report.solutions[0].steps, 5);
   const int count = forEachCovered(result.images[0], [&](std::size_t i) {
     const Vector at = toVector(&result.images[1].rgba[i]);
-    // What comes round the edges has died away some diffusion lengths from there.
+    // Light from around the edges fades within some diffusion lengths.
     if (std::max(std::abs(at[0]), std::abs(at[1]) - 280) > halfWidthMm - 40) return;
     for (const auto& [c, part] : reflected)
       EXPECT_NEAR(static_cast<double>(result.images[0].rgba[i + c]) / part, 1, 0.15)
@@ -72,7 +72,7 @@ TEST_F(BoundaryAwkwardTest, ALargeCoarseRodIsEven) {
 struct AwkwardCase {
   std::string name;
   std::function<Mesh()> mesh;
-  double brightest = 1;  ///< of what may enter: more where surfaces lie one over another
+  double brightest = 1;  ///< relative to what may enter; more where surfaces overlap
 };
 
 void PrintTo(const AwkwardCase& awkward, std::ostream* to) {
@@ -115,7 +115,7 @@ Mesh tinyComponents() {
 
 class BoundaryAwkwardBodyTest : public RendererTestBase<testing::TestWithParam<AwkwardCase>> {};
 
-// Nothing can leave that did not enter, but a place may gather some from around.
+// No more light can leave than entered, but one place may receive light from its surroundings.
 TEST_P(BoundaryAwkwardBodyTest, IsFiniteAndNotTooBright) {
   Scene scene = sceneOf(GetParam().mesh(), marble(), {0, 5, 40}, 8);
   light(scene);

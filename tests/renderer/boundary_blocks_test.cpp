@@ -1,5 +1,5 @@
 // Boundary transport against path tracing of whole bodies lit from behind, by means over blocks of
-// 8×8 pixels: the bear, and the bunny where its model is there. See blocks/README.md.
+// 8×8 pixels: the bear, and the bunny if its model is available. See blocks/README.md.
 
 #include <gtest/gtest.h>
 
@@ -33,13 +33,14 @@ constexpr const char* bunny = "bunny_closed.ply";
 using Colour = std::array<double, 3>;
 using Place = std::pair<int, int>;
 
-/// What path tracing says; both are the same where there is one run only.
+/// Means from path tracing. Both are equal where there is only one run.
 struct Truth {
   std::map<Place, std::array<Colour, 2>> blocks;
   Colour mean{};  ///< over the object
 };
 
-/// Of columns with these prefixes; `covered` says how many pixels of a block the object has.
+/// Reads columns with these prefixes. `covered` is the number of a block's pixels that the object
+/// covers.
 Truth truthOf(const fs::path& file, const std::array<std::string, 2>& prefixes, const char* covered,
               double pixelsOfCovered) {
   Truth truth;
@@ -61,8 +62,8 @@ Truth truthOf(const fs::path& file, const std::array<std::string, 2>& prefixes, 
   return truth;
 }
 
-/// Root mean square over all blocks of the picture, over the mean of the object. The runs' noise
-/// is not in it, since the product of their differences has none on average.
+/// Root mean square error over all blocks, relative to the object's mean. The product of the runs'
+/// differences has no noise on average.
 Colour blockErrors(const Image& found, const Truth& truth) {
   std::map<Place, Colour> ours;
   forEachCovered(found, [&](std::size_t i) {
@@ -88,7 +89,7 @@ struct BlocksCase {
   const char* name;
   const char* model;  ///< nullptr: the bear
   const char* medium;
-  std::array<double, 2> most;  ///< without and with light that enters again, of all channels
+  std::array<double, 2> most;  ///< without and with light that enters again, over all channels
   std::array<double, 2> mostOfRed;
   std::vector<Deformer> deformers = {};
 };
@@ -153,7 +154,7 @@ TEST_P(BoundaryBlocksTest, AreThoseOfPathTracing) {
 
 const std::vector<Deformer> twistedAndBent{{DeformerKind::Twist, 2, 0}, {DeformerKind::Bend, 1, 0}};
 
-// In green and blue skin absorbs too much for diffusion: a third and more of what collides.
+// In green and blue skin absorbs too much for diffusion: a third or more of the collisions.
 INSTANTIATE_TEST_SUITE_P(
     FromBehind, BoundaryBlocksTest,
     testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.043, 0.049}, {0.043, 0.042}},
@@ -165,8 +166,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 class BoundaryMilkTest : public BoundaryBlocksTest {};
 
-// By another program's path tracer. Of light that enters again it leaves out what the surface
-// mirrors first: ours, which agrees with it within .6 % otherwise, has .7 to 1.7 % more.
+// From another program's path tracer. Its light that enters again omits what the surface mirrors
+// first. Ours otherwise agrees within 0.6 % and has 0.7 to 1.7 % more.
 TEST_P(BoundaryMilkTest, BlocksAreThoseOfThePublishedTable) {
   const auto table = referenceTable("bunny50_skimmilk_blocks.csv");
   if (!table)

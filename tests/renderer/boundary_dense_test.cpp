@@ -1,5 +1,5 @@
-// Boundary transport against the same equations solved with every pair of clusters, in double
-// precision, with exact rays: four triangles that were one a cluster.
+// Boundary transport against a direct solution of the same equations for every pair of clusters, in
+// double precision with exact rays. Each cluster is four subdivisions of one triangle.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ using namespace test;
 
 using BoundaryDenseTest = RendererTest;
 
-/// Scatters so much more than it absorbs that the first collisions are the source, and the
-/// clusters are about a mean free path wide.
+/// Scatters much more than it absorbs, so that the first collisions are the source. Clusters are
+/// about a mean free path wide.
 Medium thinMilk() {
   return {"thin milk", {0.8, 0.6, 0.4}, {0.003, 0.002, 0.001}, 1.3};
 }
@@ -47,8 +47,8 @@ reference::Scene referenceOf(const Scene& scene) {
   return result;
 }
 
-/// Root mean square over the clusters that are seen, of the pixels next to their middles, over
-/// their mean.
+/// Root mean square error over the visible clusters, at the pixels nearest to their middles,
+/// relative to their mean.
 double errorOfClusters(const RenderResult& found, const boundary::TriangleClusters& clusters,
                        const std::vector<double>& exitance, std::size_t channel) {
   std::vector<double> sum(clusters.count());

@@ -1,5 +1,5 @@
-// What boundary transport owes to the laws it stands for: bodies that absorb nothing give back all
-// that enters, in an even light they are even, and lights add up.
+// Physical laws that boundary transport must keep: bodies that absorb nothing return all that
+// enters, even light makes them even, and lights add up.
 
 #include <gtest/gtest.h>
 
@@ -18,14 +18,14 @@ using namespace test;
 
 using BoundaryEnergyTest = RendererTest;
 
-/// Absorbs nothing, and scatters differently in each channel, but always enough that hardly any
-/// light passes straight through.
+/// Absorbs nothing. The channels scatter differently, but always enough that hardly any light
+/// passes straight through.
 Medium white() {
   return {"white", {4, 2, 1}, {0, 0, 0}, 1.4};
 }
 
-/// Mean exitance over the whole of a star-shaped body, from pictures all around it: each pixel
-/// belongs to the vertex in whose direction it lies.
+/// Mean exitance over a whole star-shaped body, from pictures all around it. Each pixel belongs to
+/// the vertex in its direction.
 class MeanExitance {
  public:
   explicit MeanExitance(Scene scene) : scene_(std::move(scene)), mesh_(scene_.objects[0].mesh) {
@@ -83,7 +83,7 @@ class MeanExitance {
   std::vector<int> pixels_;
 };
 
-// Of a sphere's area a quarter catches the light, and what enters is spread over all of it.
+// A quarter of a sphere's area would catch the light face on; what enters is spread over all of it.
 TEST_F(BoundaryEnergyTest, AWhiteSphereGivesBackWhatEnters) {
   Scene scene = ballOf(10, white());
   scene.lighting.directional = {{{1, 0, 0}, {1, 2, 4}}};
@@ -99,14 +99,14 @@ TEST_F(BoundaryEnergyTest, AWhiteSphereGivesBackWhatEnters) {
   }
 }
 
-/// Of balls of skin1 in an even light.
+/// A ball of skin1 in even light.
 struct DarkBall {
   float radiusMm;
-  std::array<double, 3> leaves;  ///< of what enters, by tools/curvature.py
+  std::array<double, 3> leaves;  ///< share of the light that entered, by tools/curvature.py
   double tolerance;
 };
 
-// With the boundary's condition as it is on a plane these balls are up to 10 % darker than by Monte
+// With the boundary condition of a plane, these balls would be up to 10 % darker than in Monte
 // Carlo.
 TEST_F(BoundaryEnergyTest, DarkBallsInEvenLightGiveBackWhatWalksSay) {
   const Medium skin = *findMedium("skin1");
@@ -124,7 +124,7 @@ TEST_F(BoundaryEnergyTest, DarkBallsInEvenLightGiveBackWhatWalksSay) {
   }
 }
 
-// Lit across its axis no part of it is in another's shadow. Light that leaves is gone.
+// Lit across its axis, no part shadows another. Light that leaves does not return.
 TEST_F(BoundaryEnergyTest, AWhitePeanutGivesBackWhatEnters) {
   Scene scene = sceneOf(peanut(20), white(), {0, 0, 60}, 10.5F);
   scene.lighting.directional = {{{1, 0, 0}, {1, 1, 1}}};
@@ -155,8 +155,8 @@ double largestRatioError(const Image& image, double exact) {
   return largest;
 }
 
-// Where light comes evenly from everywhere and none is absorbed, as much leaves every place as
-// enters it; and where no place sees another, bounces have nothing to add.
+// In even light, without absorption, as much light leaves every place as enters. Where no place
+// sees another, bounces add nothing.
 TEST_F(BoundaryEnergyTest, AWhiteSphereInEvenLightIsEven) {
   Scene scene = ballOf(10, white());
   scene.lighting.ambient = {1, 1, 1};
@@ -176,9 +176,9 @@ std::array<double, 3> atBottomOfBowl(const Medium& medium, const RenderOptions& 
                    [](const Vector& at) { return std::hypot(at[0], at[1]) < 3; });
 }
 
-// The same holds for a body that sees itself, once light has gone from part to part often enough: a
-// white body in a white world cannot be seen. Without that its hollow is dark. What two bounces
-// leave out is added from the ratio of the two.
+// The same holds for a body that sees itself, after enough bounces: a white body in a white world
+// is invisible. Without bounces its hollow is dark. What two bounces omit is extrapolated from
+// their ratio.
 TEST_F(BoundaryEnergyTest, AWhiteBowlInEvenLightIsEvenAfterBounces) {
   const double entered = std::numbers::pi * bssrdf::meanTransmittance(white().eta);
   const std::array<double, 3> never = atBottomOfBowl(white(), boundaryOptions(48));
@@ -191,9 +191,9 @@ TEST_F(BoundaryEnergyTest, AWhiteBowlInEvenLightIsEvenAfterBounces) {
   }
 }
 
-// Where light does not get far, what leaves goes with what enters, and that with the part of the
-// sky that the rim leaves. That is the same everywhere in a spherical bowl, but for Fresnel's
-// terms.
+// Where light does not travel far, exitance is proportional to the light that enters, and that to
+// the visible part of the sky above the rim. In a spherical bowl that part is equal everywhere, up
+// to Fresnel's terms.
 TEST_F(BoundaryEnergyTest, TheRimOfABowlHidesPartOfTheSky) {
   const Medium dense{"dense", {10, 10, 10}, {0.5, 0.5, 0.5}, 1.4};
   const Bowl bowl{10};
@@ -206,7 +206,7 @@ TEST_F(BoundaryEnergyTest, TheRimOfABowlHidesPartOfTheSky) {
     above += 2 * cosine * (1 - bssrdf::fresnelReflectance(dense.eta, cosine)) * (1 - least) / steps;
   }
   RenderOptions options = boundaryOptions(48);
-  options.maxSurfels = 65'536;  // they are no further apart than a mean free path
+  options.maxSurfels = 65'536;  // no farther apart than a mean free path
   Scene ball = ballOf(10, dense);
   ball.lighting.ambient = {1, 1, 1};
   const std::array<double, 3> open =
@@ -220,7 +220,7 @@ Image pictureWith(Scene scene, const Lighting& lighting) {
   scene.lighting = lighting;
   RenderOptions options = boundaryOptions(32, 2);
   options.maxSurfels = 8192;
-  options.tolerance = 1e-3F;  // of what is near linear anyway, so that the solver's share is small
+  options.tolerance = 1e-3F;  // tight, so that the solver adds little error
   return renderBoundary(scene, options, {Aov::Exitance}).images[0];
 }
 
@@ -248,7 +248,7 @@ TEST_F(BoundaryEnergyTest, LightsAddUp) {
       errorsOf(pictureWith(scene, both), sumOf(alone, pictureWith(scene, fill)));
   EXPECT_LT(added.rms, 1e-3);
   EXPECT_LT(added.localLargest, 1e-2);
-  // A power of two changes nothing but exponents.
+  // A power of two only changes exponents.
   const Image four = pictureWith(scene, fourfold);
   double largest = 0;
   forEachCovered(alone, [&](std::size_t i) {
@@ -259,11 +259,11 @@ TEST_F(BoundaryEnergyTest, LightsAddUp) {
   EXPECT_LT(largest, 1e-5);
 }
 
-// What was asked for as a colour is seen on a body many diffusion lengths thick: the share of the
-// light that entered which leaves again.
+// A colour that was asked for is the share of the entered light that leaves a body many diffusion
+// lengths thick.
 TEST_F(BoundaryEnergyTest, ColoursOfAppearancesAreSeenInEvenLight) {
   constexpr float radiusMm = 10;
-  const std::array<double, 3> color{0.9, 0.7, 0.5};  // darker ones are 0.02 too bright
+  const std::array<double, 3> color{0.9, 0.7, 0.5};  // darker ones come out 0.02 too bright
   for (const double eta : {1.3, 1.5})
     for (const double meanFreePathMm : {radiusMm / 1000.0, radiusMm / 2000.0}) {
       const Medium medium =

@@ -13,7 +13,7 @@
 
 namespace opaline::test {
 
-/// With fewer sources than usual, since most of the time goes into their sum at each of them.
+/// Uses fewer sources than usual, since most of the time is spent summing over them.
 inline RenderOptions boundaryOptions(int edge, int bounces = 0) {
   RenderOptions options = finelyDivided(smallOptions());
   options.width = options.height = edge;
@@ -29,7 +29,7 @@ inline RenderResult renderBoundary(const Scene& scene, const RenderOptions& opti
   return sharedRenderer().renderer->render(options, aovs);
 }
 
-/// A convex or star-shaped body around the origin, by what it is that far away in each direction.
+/// A star-shaped body around the origin, given by its radius in each direction.
 template <typename RadiusMm>
 Mesh starShaped(const RadiusMm& radiusMm, int levels) {
   Mesh mesh = sphere({0, 0, 0}, 1, levels);
@@ -48,21 +48,21 @@ Mesh starShaped(const RadiusMm& radiusMm, int levels) {
   return mesh;
 }
 
-/// Two lobes along y with a waist between them, half as wide as a lobe.
+/// Two lobes along y with a waist half as wide as a lobe between them.
 inline Mesh peanut(double lengthMm, int levels = 4) {
   return starShaped([&](const Vector& d) { return lengthMm / 2 * (0.25 + 0.75 * d[1] * d[1]); },
                     levels);
 }
 
-/// A ball around the origin from which another has been taken, whose middle is 1.1 radii towards +z
-/// and whose radius is ¾ as large.
+/// A ball around the origin with a hollow: the intersection with another ball is removed. Its
+/// middle is 1.1 radii towards +z, its radius ¾ as large.
 struct Bowl {
   double radiusMm;
 
   double hollowRadiusMm() const { return 0.75 * radiusMm; }
   double hollowCentreMm() const { return 1.1 * radiusMm; }
   double bottomMm() const { return hollowCentreMm() - hollowRadiusMm(); }
-  /// Where the two spheres meet.
+  /// The radius at which the two spheres meet.
   double rimMm() const {
     const double c = hollowCentreMm();
     const double h = hollowRadiusMm();
@@ -83,14 +83,14 @@ struct Bowl {
   }
 };
 
-/// A sphere around the origin, seen from +z, each channel another medium.
+/// A sphere around the origin, seen from +z, with a different medium in each channel.
 inline Scene ballOf(float radiusMm, const Medium& medium, int levels = 4) {
   return sceneOf(sphere({0, 0, 0}, radiusMm, levels), medium, {0, 0, 4 * radiusMm},
                  1.02F * radiusMm);
 }
 
-/// Exitance in bands of equal area of the cosine to +x, from away to towards, of a ball that is
-/// turned about the x axis: as seen from +z, where every band is seen.
+/// Exitance in bands of equal area by the cosine to +x, from the far side to the near side. The
+/// ball is rotated about the x axis, so that all bands are visible from +z.
 template <std::size_t bands>
 std::array<std::array<double, 3>, bands> exitanceOfBands(const Image& exitance,
                                                          const Image& position,
@@ -103,7 +103,7 @@ std::array<std::array<double, 3>, bands> exitanceOfBands(const Image& exitance,
     const Vector toCamera = toVector(cameraMm) - at;
     const double seen = dot(outward, unit(toCamera));
     if (seen < 0.1) return;
-    // Area of the ball that the pixel covers, up to a factor.
+    // The ball's area within the pixel, up to a factor.
     const double axial = dot(unit(toCamera), unit(toVector(cameraMm)));
     const double area = dot(toCamera, toCamera) * std::pow(axial, 3) / seen;
     const auto band = static_cast<std::size_t>(
@@ -119,7 +119,7 @@ std::array<std::array<double, 3>, bands> exitanceOfBands(const Image& exitance,
   return sums;
 }
 
-/// Mean over the pixels whose place `counts`.
+/// Mean over the pixels for whose place `counts` is true.
 template <typename Counts>
 std::array<double, 3> meanWhere(const Image& image, const Image& position, const Counts& counts) {
   std::array<double, 3> sum{};

@@ -1,5 +1,5 @@
-// Boundary transport while a body moves: a frame depends on nothing but its time, what is wrong
-// with it does not flicker, and where a body stands and how it is turned does not matter.
+// Boundary transport on a moving body: a frame depends only on its time, errors do not flicker, and
+// the body's place and rotation do not matter.
 
 #include <gtest/gtest.h>
 
@@ -29,13 +29,13 @@ Scene twistingBear(float radians) {
   return scene;
 }
 
-// With a source for each triangle at least: where several are one, detail is not followed.
+// At least one source per triangle. With fewer, detail would not be followed.
 constexpr int sourcesOfBear = 1 << 16;
 
 RenderOptions coarseOptions() {
   RenderOptions options = boundaryOptions(64, 1);
   options.maxSurfels = sourcesOfBear;
-  options.maxClusters = 2400;  // of 4500
+  options.maxClusters = 2400;  // less than the usual 4500
   return options;
 }
 
@@ -46,11 +46,10 @@ RenderOptions fineOptions() {
   return options;
 }
 
-/// How what a film is off by changes between neighbouring frames 1/25 s apart, relative to the
-/// mean.
+/// How much a film's error changes between frames 1/25 s apart, relative to the mean.
 struct Flicker {
   double ofMean = 0;  ///< largest, of a channel's mean over the picture
-  double rms = 0;     ///< largest of a pair of frames, over pixels and channels
+  double rms = 0;     ///< largest of any pair of frames, over pixels and channels
 };
 
 struct Film {
@@ -70,7 +69,7 @@ Film filmOf(const RenderOptions& options, int frames) {
   return film;
 }
 
-/// Of pixels that show what has moved no further than that.
+/// Counts pixels whose place has moved no farther than `mostMm`.
 Flicker flickerOf(const Scene& scene, int frames, double mostMm) {
   sharedRenderer().renderer->setScene(scene);
   const Film coarse = filmOf(coarseOptions(), frames);
@@ -104,13 +103,13 @@ Flicker flickerOf(const Scene& scene, int frames, double mostMm) {
   return flicker;
 }
 
-// Half as many clusters as usual are 2 to 4 % off in green, and the more so the further it is
-// twisted: by .3 to .75 % a frame, whichever way they happen to lie.
+// With half of the usual clusters green is 2 to 4 % off, more so the farther the body is twisted:
+// by 0.3 to 0.75 % a frame, wherever the clusters lie.
 TEST_F(BoundaryFramesTest, ErrorOfThePictureDoesNotFlickerAsTheBearTwists) {
   EXPECT_LT(flickerOf(twistingBear(1.5F), 3, 1e3).ofMean, 0.008);
 }
 
-// So slowly that what is off at a place stays in its pixel, where no edge passes.
+// So slow that the error of a place stays in its pixel, except at edges.
 TEST_F(BoundaryFramesTest, ErrorOfPlacesDoesNotFlickerAsTheBearTwists) {
   EXPECT_LT(flickerOf(twistingBear(0.03F), 2, 0.1).rms, 0.005);
 }
@@ -135,7 +134,7 @@ TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
   }
 }
 
-/// Turned about an axis and moved, with its lights and camera.
+/// A rotation about an axis and a shift, applied to a body with its lights and camera.
 class Motion {
  public:
   Motion(const Vector& axis, double angle, const Vector& shift)
@@ -175,8 +174,8 @@ Scene litPeanut() {
   return scene;
 }
 
-// The rest pose alone decides which clusters there are, so a body that is carried about as it is
-// drawn keeps them: then only single precision and the light's shadow maps differ.
+// Only the rest pose decides the clusters, so a body keeps them when it is moved rigidly. Only
+// single precision and the light's shadow maps differ.
 TEST_F(BoundaryFramesTest, ABodyCarriedAboutLooksTheSame) {
   const Scene scene = litPeanut();
   const Motion motion({0.3, 1, 0.5}, 1.1, {3, -40, 25});
@@ -189,7 +188,7 @@ TEST_F(BoundaryFramesTest, ABodyCarriedAboutLooksTheSame) {
   renderer().setScene(carried);
   renderer().replacePositions(0, moved.objects[0].mesh.positionsMm);
   const Image elsewhere = render(options, {Aov::Exitance})[0];
-  // A pixel at the rim may be covered in one and not in the other.
+  // A pixel at the rim may be covered in only one of them.
   double squares = 0;
   int both = 0;
   const std::array<double, 3> mean = meanOf(atRest);

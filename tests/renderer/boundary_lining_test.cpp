@@ -1,6 +1,6 @@
-// Opaque things in a body, against closed forms of diffusion in a ball with a concentric core: of
-// light that comes evenly and of light whose radiance goes with a cosine, the first two terms of
-// the expansion in Legendre polynomials.
+// Opaque objects inside a body, against closed forms of diffusion in a ball with a concentric core.
+// The light is even, or its radiance varies with a cosine: the first two terms of the expansion in
+// Legendre polynomials.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ using BoundaryLiningTest = RendererTest;
 constexpr float ballMm = 10;
 constexpr float coreMm = 5;
 
-/// A mean free path is a twentieth of the shell at most, so that diffuse light enters at the
-/// surface; little is absorbed on the way to the core.
+/// A mean free path is at most a twentieth of the shell, so that diffuse light starts at the
+/// surface. Little is absorbed on the way to the core.
 Medium cream() {
   return {"cream", {4, 2.5F, 1.5F}, {0.002F, 0.008F, 0.012F}, 1.4};
 }
@@ -110,8 +110,8 @@ Radial falling(int order, double x) {
   return {e / x + e / (x * x), -e / x - 2 * e / (x * x) - 2 * e / (x * x * x)};
 }
 
-/// What leaves the ball over what has entered of that order: -D φ' = φ/2A - κE outside and
-/// D φ' = φ/2A' at the core, M = φ/2A - (κ - 1) E. `overA`: 1/A'.
+/// What leaves the ball over what has entered, of one order. The conditions are -D φ' = φ/2A - κE
+/// outside and D φ' = φ/2A' at the core, and M = φ/2A - (κ - 1) E. `overA` is 1/A'.
 double leaves(const Diffusion& of, int order, double overA) {
   const auto at = [&](double mm, Radial (*function)(int, double)) {
     const Radial found = function(order, of.sigma * mm);
@@ -123,7 +123,7 @@ double leaves(const Diffusion& of, int order, double overA) {
   const Radial innerFalling = at(coreMm, falling);
   const auto inner = [&](const Radial& f) { return of.d * f.slope - overA / 2 * f.value; };
   const auto outer = [&](const Radial& f) { return of.d * f.slope + f.value / (2 * of.a); };
-  const double part = -inner(innerGrowing) / inner(innerFalling);  // falling per growing
+  const double part = -inner(innerGrowing) / inner(innerFalling);  // falling per growing function
   const double weight = of.kappa / (outer(outerGrowing) + part * outer(outerFalling));
   const double fluence = weight * (outerGrowing.value + part * outerFalling.value);
   return fluence / (2 * of.a) - (of.kappa - 1);
@@ -164,7 +164,7 @@ Pictures underSky(Scene scene, const std::function<void(Renderer&)>& edit = {}) 
   return {std::move(images[0]), std::move(images[1]), scene.camera.positionMm};
 }
 
-/// `overA` of each channel: 1/A' at the core.
+/// `overA` has 1/A' at the core per channel.
 Image exactOn(const Pictures& seen, const std::array<double, 3>& overA) {
   Image exact = seen.exitance;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -189,9 +189,9 @@ void expectExact(const Pictures& seen, const std::array<double, 3>& overA) {
       EXPECT_NEAR(found[band][c] / exact[band][c], 1, 0.02) << c << " band " << band;
 }
 
-/// Of evenly given back light, by the exact extrapolation from a plane: of Milne's problem 0.7104
-/// mean free paths where all is absorbed, and 4/3 share/(1 - share) more else. Diffusion has 2/3
-/// A'.
+/// For a core that reflects evenly, by the exact extrapolation from a plane: 0.7104 mean free paths
+/// in Milne's problem, where all light is absorbed, and 4/3 share/(1 - share) more otherwise.
+/// Diffusion has 2/3 A'.
 double overAOf(double share) {
   return (1 - share) / (1.5 * 0.7104 * (1 - share) + 2 * share);
 }
@@ -204,7 +204,7 @@ TEST_F(BoundaryLiningTest, ABallWithACoreIsAsTheSeriesSays) {
   expectExact(underSky(ballAround(coreOf(sphere({0, 0, 0}, coreMm, 4), share))), overA);
 }
 
-// Where A' is A it is as if there were air within, from which nothing comes back.
+// Where A' equals A, the core acts as air inside, from which nothing returns.
 TEST_F(BoundaryLiningTest, AShareCanBeThatOfAFreeBoundary) {
   const double a = Diffusion(cream(), 0).a;
   const double more = a - 1.5 * 0.7104;  // 2 share / (1 - share)
@@ -218,7 +218,7 @@ TEST_F(BoundaryLiningTest, AShareCanBeThatOfAFreeBoundary) {
   expectExact(lined, {1 / a, 1 / a, 1 / a});
 }
 
-// What lies in a body is asked for at rest, and where it is in every frame.
+// Objects inside are found at rest, but are moved in every frame.
 TEST_F(BoundaryLiningTest, GoesWithWhatMoves) {
   const Mesh middle = sphere({0, 0, 0}, coreMm, 4);
   Mesh aside = middle;

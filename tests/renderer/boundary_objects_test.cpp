@@ -1,5 +1,5 @@
-// Boundary transport with several objects: light that leaves one enters another, by the angle at
-// which that sees it, and not where a third is between.
+// Boundary transport with several objects: light that leaves one enters another, by the angle under
+// which they see each other, unless a third is in between.
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,7 @@ Medium black() {
 constexpr double milkyRadiusMm = 5;
 constexpr double denseRadiusMm = 3;
 
-/// A milky ball at the origin in the light of +z, and a dense one, which a black roof keeps in the
-/// shade.
+/// A milky ball at the origin in light from +z, and a dense one in the shade of a black roof.
 Scene ballBesideAnother(const Vector& denseCentre, const std::optional<Mesh>& wall = std::nullopt) {
   Scene scene =
       sceneOf(sphere({0, 0, 0}, static_cast<float>(milkyRadiusMm), 4), milky(), {0, -80, 0}, 17);
@@ -69,7 +68,7 @@ void forEachOf(const Seen& picture, float object, const Check& check) {
   });
 }
 
-/// Mean exitance of the milky ball by the cosine to the light, which is all it depends on.
+/// Mean exitance of the milky ball by the cosine to the light, on which alone it depends.
 class ExitanceByCosine {
  public:
   explicit ExitanceByCosine(const Seen& picture) {
@@ -99,7 +98,7 @@ double transmittance(double cosine) {
   return 1 - bssrdf::fresnelReflectance(1.3, cosine);
 }
 
-/// Light of the milky ball that enters there: radiance M F_t / (π F̄_t) over the part that is seen.
+/// Light of the milky ball that enters at a place: radiance M F_t / (π F̄_t) over the visible part.
 double enteringAt(const Vector& place, const Vector& normal, const ExitanceByCosine& exitance) {
   constexpr int steps = 30;
   double sum = 0;
@@ -121,13 +120,13 @@ double enteringAt(const Vector& place, const Vector& normal, const ExitanceByCos
   return sum * area / (std::numbers::pi * bssrdf::meanTransmittance(1.3));
 }
 
-/// What leaves of the light from everywhere that enters: a half-space of skin1 gives back .4290 in
-/// red of what falls on it (slab_mc.csv of the reference tables).
+/// The share of even light that leaves again after entering. A half-space of skin1 returns 0.4290
+/// in red of the light that falls on it (slab_mc.csv of the reference tables).
 double albedoOfDense() {
   return 0.4290 / bssrdf::meanTransmittance(1.3);
 }
 
-/// Light that the dense ball gives back over what it is to get, which its albedo says.
+/// The light that the dense ball returns, relative to what its albedo predicts.
 double lightOfAnother(const Vector& denseCentre, double albedo) {
   const Seen picture = seen(ballBesideAnother(denseCentre), 1, 64);
   const ExitanceByCosine lit(picture);
@@ -169,7 +168,7 @@ TEST_F(BoundaryObjectsTest, WithoutBouncesTheOtherStaysDark) {
   EXPECT_GT(brightestOf(picture, 0), 0.5);
 }
 
-// A wall in between, so wide that nothing gets around it but by two black surfaces.
+// A wall so wide that light can only get around it by way of two black surfaces.
 TEST_F(BoundaryObjectsTest, NoLightGetsThroughAWall) {
   const double open = brightestOf(seen(ballBesideAnother(beside), 2, 48), 1);
   const double walled = brightestOf(
@@ -178,7 +177,7 @@ TEST_F(BoundaryObjectsTest, NoLightGetsThroughAWall) {
   EXPECT_LT(walled, 1e-3 * open);
 }
 
-// Where bodies touch, light goes from one into the other only by leaving first.
+// Where bodies touch, light must leave one before it enters the other.
 TEST_F(BoundaryObjectsTest, NoLightSeepsFromOneIntoAnother) {
   Scene scene = sceneOf(box({-2, 0, 0}, {2, 2, 2}, 12), skin(), {4, 0, 20}, 4);
   scene.objects.push_back({"other", box({2.001F, 0, 0}, {2, 2, 2}, 12), skin()});

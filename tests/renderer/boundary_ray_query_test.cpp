@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// Its index; empty where there is none.
+/// The index of such a device; empty where there is none.
 std::string deviceWithRayQueries() {
   const std::vector<DeviceDescription> devices = listDevices();
   for (std::size_t i = 0; i < devices.size(); ++i)
@@ -60,19 +60,19 @@ class BoundaryRayQueryTest : public RendererTest {
   }
 
  private:
-  // For all tests: new ones translate all shaders anew.
+  // Shared by all tests, as new renderers compile all shaders again.
   static inline std::unique_ptr<Renderer> withQueries_;
   static inline std::unique_ptr<Renderer> without_;
 };
 
-// Rays through the body, its reflections, second collisions and what it sees of itself.
+// Covers rays through the body, reflections, second collisions, and what the body sees of itself.
 TEST_F(BoundaryRayQueryTest, ATwistingBearIsTheSame) {
   Scene bear = backlitBear(50, {"gummy", {1.0, 1.0, 1.0}, {0.02, 0.3, 0.4}, 1.4});
   bear.deformers = {{DeformerKind::Twist, 1.5F, 2}};
   expectTheSame(bear, {0.3});
 }
 
-// Rays within one of more bodies than there are classes of them, and between them all.
+// Covers rays within and between more bodies than there are classes of them.
 TEST_F(BoundaryRayQueryTest, ManyBodiesAreTheSame) {
   const Medium milky{"milky", {6, 6, 6}, {1e-3F, 1e-2F, 1e-1F}, 1.3F};
   Scene scene = sceneOf(sphere({0, 0, 0}, 2, 3), milky, {0, 0, 40}, 8);

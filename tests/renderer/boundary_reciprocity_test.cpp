@@ -1,9 +1,9 @@
-// Helmholtz's reciprocity: light that comes from one direction and leaves in another is as much as
-// the other way round. Of a body lit evenly from afar, a picture from afar adds that up: what
-// enters goes with F_t μ, and so does what leaves. Nothing in the solution knows of this: its
-// sources are points inside, what it is asked for is the fluence on the surface. Of round bodies,
-// as slanting light starts nearer to the surface, but leaves everywhere as if it had come from all
-// depths: docs say how far flat ones are off.
+// Helmholtz's reciprocity: as much light goes from one direction to another as the other way round.
+// A distant picture of a body lit evenly from afar adds this up: light enters in proportion to F_t
+// μ, and leaves likewise. The solution does not know of this law: its sources are points inside,
+// and its result is the fluence on the surface. The bodies are round, since slanting light starts
+// nearer to the surface but leaves as if it had come from all depths. The docs say how far off flat
+// bodies are.
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ void PrintTo(const ReciprocityCase& directions, std::ostream* to) {
   *to << directions.name;
 }
 
-/// Flux that leaves towards `eye` in the light from `lamp`, up to a factor. A part of it is in
-/// the picture as large as it looks from there.
+/// The flux that leaves towards `eye` in light from `lamp`, up to a factor. Parts appear in the
+/// picture at their size as seen from there.
 std::array<double, 3> fluxTowards(const Mesh& mesh, const Vector& eye, const Vector& lamp,
                                   int bounces) {
   constexpr double reachMm = 12;
@@ -60,8 +60,8 @@ class BoundaryReciprocityTest : public RendererTestBase<testing::TestWithParam<R
 
 TEST_P(BoundaryReciprocityTest, LampAndEyeMayChangePlaces) {
   const auto& [name, bounces, a, b] = GetParam();
-  // In blue much leaves after one collision: slanting as it entered, and shown as leaving evenly.
-  // By itself that is 8 % off on the bowl, all other light 3 %.
+  // In blue much light leaves after one collision. It entered at a slant but is shown as leaving
+  // evenly. That light alone is 8 % off on the bowl, all other light 3 %.
   constexpr std::array<double, 3> most{0.015, 0.025, 0.055};
   const std::array<Mesh, 2> bodies{peanut(20), Bowl{10}.mesh()};
   for (std::size_t body = 0; body < bodies.size(); ++body) {

@@ -1,5 +1,5 @@
-// How boundary transport's equation is solved: as well as is asked for, in few steps, and the
-// better the closer to what a fine solution says.
+// How boundary transport's equation is solved: to the tolerance, in few steps, and closer to a fine
+// solution the finer the division.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ Scene litBowl(const Medium& medium) {
   return scene;
 }
 
-// Whichever body, medium and tolerance: bright and dark ones, twisted ones, a plate.
+// For any body, medium and tolerance: bright and dark ones, twisted ones, a plate.
 TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
   Scene twisted = backlitBear(50, marble());
   twisted.deformers = {{DeformerKind::Twist, 2, 0}, {DeformerKind::Bend, 1, 0}};
@@ -59,9 +59,9 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
   }
 }
 
-// A body of few clusters is solved in as many steps, or in one more: so small a body hardly
-// scatters light within itself, which leaves the basis not quite orthogonal. What is left then is
-// nothing but rounding, which is no residual of 0: single precision cannot tell that.
+// A body of few clusters is solved in as many steps, or in one more. A very small body hardly
+// scatters light within itself, which leaves the basis not quite orthogonal. The rest is rounding,
+// which single precision cannot reduce to a residual of 0.
 TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
   for (const float edge : {0.03F, 0.05F, 0.1F}) {
     Scene scene = sceneOf(box({0, 0, 0}, {edge, edge, edge}, 1), marble(), {0, 0, 1}, edge);
@@ -80,7 +80,8 @@ TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
   }
 }
 
-// A plate a hundredth as thick as wide asks for thousands. The note says how many, which is so.
+// A plate a hundredth as thick as wide asks for thousands of clusters. The note must give the
+// number.
 TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
   std::vector<std::string> notes;
   RendererOptions rendererOptions = sharedRenderer().options();
@@ -106,7 +107,7 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
   EXPECT_EQ(clustersWithin(262'144), static_cast<std::size_t>(enough));
 }
 
-// Nothing is solved on it, so that a body beside it keeps as many as it has alone.
+// Nothing is solved on the floor, so the body beside it keeps as many clusters as it has alone.
 TEST(Division, AnOpenFloorTakesNoClustersFromABody) {
   Scene scene = sceneOf(box({0, 0, 0}, {5, 5, 5}, 4), marble(), {0, 10, 40}, 15);
   const auto clusters = [&](const std::vector<bool>& hasInside) {
@@ -120,7 +121,7 @@ TEST(Division, AnOpenFloorTakesNoClustersFromABody) {
   const auto beside = clusters({true, false});
   EXPECT_EQ(beside.firstOfObject[1], alone.firstOfObject[1]);
   EXPECT_EQ(beside.coarseness(), 1);
-  // As fine as its medium asks for, there are too many.
+  // As fine as the medium asks, there would be too many.
   EXPECT_GT(clusters({true, true}).coarseness(), 1);
 }
 
@@ -141,7 +142,7 @@ TEST_F(BoundarySolverTest, ErrorFallsWithTheTolerance) {
   }
 }
 
-// Nodes that hold both sides of a plate have areas that cancel, but not their moments.
+// In nodes with both sides of a plate the areas cancel, but not the moments.
 TEST_F(BoundarySolverTest, NodesOfBothSidesOfAPlateCount) {
   Scene plate = sceneOf(box({0, 0, 0}, {10, 10, 0.5F}, 20), skin(), {0, 0, -40}, 6);
   plate.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
@@ -165,8 +166,8 @@ TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
   EXPECT_LT(errorsOf(few.images[0], usual.images[0]).rms, 0.1);
 }
 
-// In a body a few mean free paths wide all points of light are near all clusters: there are as many
-// pairs as there may ever be, more than one shader's loop may have rounds on a software device.
+// In a body a few mean free paths wide all points of light are near all clusters. That makes the
+// largest possible number of pairs, more than a shader's loop may have rounds on a software device.
 TEST_F(BoundarySolverTest, ManyUnknownsInASmallBodySayWhatFewDo) {
   Scene bear = backlitBear(8, findMedium("gummy-red").value());
   bear.lighting = {};

@@ -1,8 +1,8 @@
 // Boundary transport against tables of volumetric Monte Carlo, which shares no code with it:
-// spheres, slabs and, where a slab is thick, the half-space. The figures are those of the project's
-// reference tables (sphere_exitance_mc.csv, slab_mc.csv), light scattered once and more often
-// together, standard errors at most 0.4 %. A medium's lengths are scaled so that what differs in
-// size is one body in three channels.
+// spheres, slabs and, as thick slabs, the half-space. The figures are from the project's reference
+// tables (sphere_exitance_mc.csv, slab_mc.csv), with light scattered once and more often added.
+// Standard errors are at most 0.4 %. A medium's lengths are scaled so that bodies of three sizes
+// are one body in three channels.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ struct SphereRow {
   Channel medium;
   double radiusMm;
   double most;                      ///< L1 over the bands
-  std::array<double, 20> exitance;  ///< from away from the light to towards it, irradiance 1
+  std::array<double, 20> exitance;  ///< from the far side to the side of the light, irradiance 1
 };
 
 constexpr std::array<SphereRow, 6> sphereRows{{
@@ -63,7 +63,7 @@ constexpr std::array<SphereRow, 6> sphereRows{{
                                                   0.2664,  0.2827,  0.3003,  0.3156,  0.3294}},
 }};
 
-/// As if a body of that size were as large as `edgeMm`.
+/// Scales the channel as if a body of that size were `edgeMm` large.
 void setChannel(Medium& medium, std::size_t c, const Channel& channel, double sizeMm,
                 double edgeMm) {
   medium.sigmaSPrimePerMm[c] = channel.sigmaSPerMm * sizeMm / edgeMm;
@@ -113,15 +113,15 @@ INSTANTIATE_TEST_SUITE_P(Tables, BoundarySphereTest,
                                          SphereCase{"skin1", 1.3, {4, 5, 4}}),
                          [](const auto& rows) { return std::string(rows.param.name); });
 
-/// One medium as three slabs, diffusion lengths thick: .1, .3 and 1.
+/// One medium as slabs of 0.1, 0.3 and 1 diffusion lengths.
 struct SlabCase {
   const char* name;
   Channel medium;
   double eta;
   float widthOverThickness;
   std::array<double, 3> thicknessMm;
-  double most;                                  ///< L1 over what is reflected and transmitted
-  std::array<std::array<double, 2>, 3> normal;  ///< reflected and transmitted, of unit flux
+  double most;                                  ///< L1 over reflectance and transmittance
+  std::array<std::array<double, 2>, 3> normal;  ///< reflectance and transmittance for unit flux
   std::array<std::array<double, 2>, 3> diffuse;
 };
 
@@ -154,8 +154,8 @@ constexpr std::array<SlabCase, 4> slabCases{{
      0.02,
      {{{0.2443, 0.2326}, {0.3947, 0.2405}, {0.3947, 0.2405}}},
      {{{0.2631, 0.2489}, {0.3970, 0.2253}, {0.3970, 0.2253}}}},
-    // Light that scattered once goes along this for several free paths, each 3.5 of its
-    // thicknesses.
+    // Light that scattered once travels several free paths along this slab, each 3.5 times as long
+    // as the slab is thick.
     {"thin_skin1_red",
      skinRed,
      1.3,
@@ -166,7 +166,7 @@ constexpr std::array<SlabCase, 4> slabCases{{
      {{{0.1268, 0.1257}, {0.1268, 0.1257}, {0.1268, 0.1257}}}},
 }};
 
-/// A slab between z = -½ and ½, many times wider than thick, that is three in one.
+/// A slab between z = -½ and ½, much wider than thick, with three thicknesses in its channels.
 Scene slabOf(const SlabCase& slab, float side) {
   Medium medium{slab.name, {}, {}, slab.eta};
   for (std::size_t c = 0; c < 3; ++c) setChannel(medium, c, slab.medium, slab.thicknessMm[c], 1);
@@ -174,7 +174,7 @@ Scene slabOf(const SlabCase& slab, float side) {
   return sceneOf(box({0, 0, 0}, {half, half, 0.5F}, 40), medium, {0, 0, 20 * side}, 3);
 }
 
-// Of the middle region, where the slab is as good as endless.
+// The mean over the middle, where the slab is as good as endless.
 std::array<double, 3> middleOf(const Scene& scene, double halfMm = 2.5, int maxSurfels = 32'768) {
   RenderOptions options = boundaryOptions(24);
   options.maxSurfels = maxSurfels;
@@ -205,7 +205,7 @@ TEST_P(BoundarySlabTest, LightAlongTheNormal) {
   }
 }
 
-// From both sides, so that what one reflects is joined by what it transmits from the other.
+// Lit from both sides, so that each side shows what it reflects and what comes through.
 TEST_P(BoundarySlabTest, LightFromEverywhere) {
   const SlabCase& slab = GetParam();
   Scene scene = slabOf(slab, 1);
@@ -221,17 +221,17 @@ TEST_P(BoundarySlabTest, LightFromEverywhere) {
 INSTANTIATE_TEST_SUITE_P(Tables, BoundarySlabTest, testing::ValuesIn(slabCases),
                          [](const auto& slab) { return std::string(slab.param.name); });
 
-/// What an endless half-space reflects.
+/// The reflectance of an endless half-space.
 struct HalfSpaceCase {
   const char* name;
   double eta;
   std::array<Channel, 3> media;
   std::array<double, 3> normal;
   std::array<double, 3> diffuse;
-  int maxSurfels;  ///< under the light along the normal
+  int maxSurfels;  ///< in light along the normal
 };
 
-// A slab six diffusion lengths thick: what gets through is below .001.
+// A slab six diffusion lengths thick: less than 0.001 gets through.
 TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
   const std::array<HalfSpaceCase, 2> cases{{{"marble",
                                              1.5,
@@ -251,7 +251,7 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
     Medium medium{half.name, {}, {}, half.eta};
     for (std::size_t c = 0; c < 3; ++c) {
       const auto [s, a] = half.media[c];
-      // Grosjean's, as in d'Eon 2012.
+      // Grosjean's coefficient, as in d'Eon 2012.
       const double diffusion = (2 * a + s) / (3 * (a + s) * (a + s));
       const double lengthMm = std::sqrt(diffusion / a);
       setChannel(medium, c, half.media[c], 6 * lengthMm, static_cast<double>(thicknessMm));

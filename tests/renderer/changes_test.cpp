@@ -7,7 +7,7 @@
 #include "opaline/scene.h"
 #include "renderer/shapes.h"
 
-// What clips change beside nodes, against a scene that simply is so.
+// What clips change besides nodes, compared with a scene that has the changed values.
 
 namespace opaline {
 namespace {
@@ -50,7 +50,7 @@ TEST_F(ChangesTest, LightsAndCamera) {
   expected.camera.verticalFovDegrees = 20;
   PointLight last = expected.lighting.points[0];
   Camera lastView = expected.camera;
-  for (std::size_t i = 0; i < 3; ++i) {  // as far again
+  for (std::size_t i = 0; i < 3; ++i) {  // moved on by the same amount
     last.positionMm[i] = 2 * last.positionMm[i] - scene_.lighting.points[0].positionMm[i];
     last.intensity[i] = 2 * last.intensity[i] - scene_.lighting.points[0].intensity[i];
     lastView.positionMm[i] = 2 * lastView.positionMm[i] - scene_.camera.positionMm[i];
@@ -79,7 +79,7 @@ TEST_F(ChangesTest, SurfacesAndBack) {
   scene_.changes[0].surfaces = {{1, {0, 2}, {*scene_.objects[1].opaque, red}}};
   EXPECT_EQ(picture(scene_, 1).rgba, picture(expected, 1).rgba);
   renderer_.setScene(scene_);
-  for (const int clip : {0, 1}) {  // what one frame has changed the next finds as it was
+  for (const int clip : {0, 1}) {  // each frame must find what the previous one changed undone
     renderer_.setTime({1, clip});
     const Image now = renderer_.render(options()).images[0];
     if (clip == 1) {
@@ -88,8 +88,8 @@ TEST_F(ChangesTest, SurfacesAndBack) {
   }
 }
 
-// The surface is divided for the finest medium, which here comes first, and so is that of the scene
-// in which another takes its place.
+// The surface is divided for the finest medium. It comes first here, so it is also the medium of
+// the scene in which another replaces it.
 TEST_F(ChangesTest, Media) {
   Medium dark = scene_.objects[0].medium;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -103,7 +103,7 @@ TEST_F(ChangesTest, Media) {
     s = 0.5 * s + 0.5 * dark.sigmaSPrimePerMm[c];
     a = 0.5 * a + 0.5 * dark.sigmaAPerMm[c];
   }
-  // Never shown, but the surface is divided for it.
+  // Never shown, but the surface is divided for this medium.
   expected.changes.resize(2);
   expected.changes[1].media = {{0, {0}, {scene_.objects[0].medium}}};
   scene_.changes.resize(1);
@@ -125,7 +125,7 @@ TEST_F(ChangesTest, WhatIsEditedFollowsNoClipAnyMore) {
   EXPECT_EQ(edited.rgba, picture(other, 1).rgba);
 }
 
-// A camera that somebody has moved stays where it was put, also where only its lens was shifted.
+// A camera that somebody moved stays where it was put, even if only its lens was shifted.
 TEST_F(ChangesTest, AShiftedCameraFollowsNoClip) {
   Camera lastView = scene_.camera;
   lastView.positionMm[0] += 10;

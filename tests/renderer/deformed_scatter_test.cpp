@@ -1,5 +1,5 @@
-// Gathering and scattering follow the surface as it is: areas, positions, shadow maps and near
-// plane of a deformed body.
+// Gathering and scattering use the deformed surface: its areas, positions, shadow maps and near
+// plane.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using DeformedTest = RendererTest;
 
 using Colour = std::array<double, 3>;
 
-/// ∫ R_d(|x − place|) dA over triangles, each point of which weighs as much as its triangle says.
+/// ∫ R_d(|x − place|) dA over triangles. Points are weighted as their triangle's area says.
 class SurfaceIntegral {
  public:
   explicit SurfaceIntegral(const Medium& medium) {
@@ -57,7 +57,7 @@ class SurfaceIntegral {
                          u[0] * v[1] - u[1] * v[0]});
   }
 
-  // The midpoint rule, on pieces that are small beside their distance and the profile's depth.
+  // The midpoint rule on pieces that are small compared to their distance and the profile's depth.
   void add(const Corners& t, const Vector& place, double areaMm2, Colour& sum) const {
     const Vector middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
     const double distance = length(middle - place);
@@ -81,7 +81,7 @@ struct Errors {
   int pixels = 0;
 };
 
-/// Largest deviation of B from E · ∫ R_d dA over the pixels, relative to it.
+/// Largest relative deviation of B from E · ∫ R_d dA over the pixels.
 Errors compareWithIntegral(const Scene& scene, const std::vector<Image>& images,
                            const std::vector<Vector>& positions, const std::vector<Vector>& areas) {
   const Object& object = scene.objects[0];
@@ -111,7 +111,7 @@ std::vector<Vector> restPositions(const Scene& scene) {
   return positions;
 }
 
-/// Uniform light: E is the same everywhere, so B is E times the integral of the profile.
+/// In uniform light E is the same everywhere, so B is E times the integral of the profile.
 void expectIntegral(Scene scene, const std::vector<Deformer>& deformers, int edge) {
   scene.deformers = deformers;
   scene.lighting = {};
@@ -129,7 +129,7 @@ void expectIntegral(Scene scene, const std::vector<Deformer>& deformers, int edg
   const Errors errors = compareWithIntegral(scene, images, moved, moved);
   EXPECT_GT(errors.pixels, edge * edge / 8);
   EXPECT_LT(errors.largest, 0.01);
-  // The same with the areas of the rest pose is something else.
+  // With the areas of the rest pose, the result is clearly different.
   EXPECT_GT(compareWithIntegral(scene, images, moved, restPositions(scene)).largest, 0.05);
 }
 
@@ -153,7 +153,7 @@ TEST_F(DeformedTest, TwistedBearHasTheExactIntegral) {
   expectIntegral(builtInBear(load), {{DeformerKind::Twist, 2.5F, 0}}, 10);
 }
 
-// ---- what must change nothing
+// ---- changes that must not matter
 
 struct Rigid {
   std::array<Vector, 3> rows;
@@ -166,7 +166,7 @@ struct Rigid {
   Vec3 point(const Vec3& p) const { return toVec3(toVector(direction(p)) + shift); }
 };
 
-/// A turn by 0.9 about (1, 2, 3), Rodrigues 1840, and a shift.
+/// A rotation by 0.9 about (1, 2, 3), Rodrigues 1840, and a shift.
 Rigid someMotion() {
   const Vector k = unit({1, 2, 3});
   const double c = std::cos(0.9);
@@ -200,7 +200,7 @@ double relativeRms(const Image& a, const Image& b) {
   return std::sqrt(squares / count) / (sum / count);
 }
 
-/// Two balls that throw shadows on each other and themselves, one partly in the other.
+/// Two intersecting balls that cast shadows on each other and themselves.
 Scene litSnowman() {
   Scene scene = sceneOf(together(sphere({0, -6, 0}, 14, 4), sphere({4, 14, 5}, 9, 4)), marble(),
                         {20, 15, 90}, 26);
@@ -220,7 +220,7 @@ RenderOptions pictureOptions() {
   return options;
 }
 
-/// The snowman with its positions given, carried along with lights and camera.
+/// The snowman, its positions, lights and camera moved rigidly.
 Image carried(const Rigid& motion, const RenderOptions& options) {
   Scene scene = litSnowman();
   moveAround(motion, scene);
@@ -240,8 +240,8 @@ TEST_F(DeformedTest, RigidMotionChangesNothing) {
   EXPECT_LT(relativeRms(carried(someMotion(), options), carried(noMotion, options)), 1e-3);
 }
 
-// Where light only just grazes the surface, texels of the shadow map decide whether a highlight is
-// lit; a turn moves them. That must stay with a few pixels.
+// At grazing light, texels of the shadow map decide whether a highlight is lit, and a rotation
+// moves them. Only a few pixels may change.
 TEST_F(DeformedTest, RigidMotionLeavesHighlightsButAtTheTerminator) {
   const RenderOptions options = pictureOptions();
   const Image still = carried(noMotion, options);
@@ -253,7 +253,7 @@ TEST_F(DeformedTest, RigidMotionLeavesHighlightsButAtTheTerminator) {
   EXPECT_LT(different, covered / 50);
 }
 
-// A power of two, so that the meshes are scaled exactly and get the same atlas.
+// A power of two, so that meshes scale exactly and get the same atlas.
 TEST_F(DeformedTest, OnlySizeInMeanFreePathsMatters) {
   constexpr float factor = 8;
   Scene scene = litSnowman();

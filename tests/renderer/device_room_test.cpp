@@ -1,4 +1,4 @@
-// What fits a device, and what is said of the rest, with limits of devices that are not there.
+// What fits on a device, and the messages about the rest, with the limits of imaginary devices.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ DeviceRoom roomWith(std::uint32_t bytes, std::uint32_t texels = UINT32_MAX) {
 }
 
 TEST(DeviceRoomTest, FollowsTheSmallerLimit) {
-  // 128 MiB, over three corners of 16 bytes, three sources of 32, and 33 points of light of 48.
+  // 128 MiB hold three corners of 16 bytes, three sources of 32, and 33 points of light of 48.
   constexpr std::uint32_t bytes = 1U << 27U;
   const DeviceRoom room = roomWith(bytes);
   EXPECT_EQ(room.triangles, bytes / 48);

@@ -12,7 +12,7 @@
 namespace opaline::test {
 namespace {
 
-// What can be edited, done to a scene and to a renderer that shows it.
+// Edits, applied both to a scene and to a renderer that shows it.
 struct Edit {
   std::string name;
   std::function<void(Scene&)> edit;
@@ -84,7 +84,7 @@ const std::vector<Edit>& edits() {
 
 class EditTest : public RendererTestBase<testing::TestWithParam<Method>> {};
 
-// The same bits as from the edited scene, whatever was shown before.
+// The result must equal that of the edited scene bit by bit, whatever was shown before.
 TEST_P(EditTest, PictureIsThatOfTheEditedScene) {
   const RenderOptions options = optionsOf(GetParam());
   for (const Edit& edit : edits()) {
@@ -130,7 +130,7 @@ TEST_P(EditTest, MoreLightsWithAsManyShadowMapsAreSeen) {
   expectSame(edited, render(scene, options, asked()));
 }
 
-// Light from before is used, and is right, while only the camera moves.
+// While only the camera moves, earlier light is reused and stays right.
 TEST_P(EditTest, ReusedLightIsTheSameLight) {
   Scene scene = wobblyBall();
   renderer().setScene(scene);
@@ -147,7 +147,7 @@ TEST_P(EditTest, ReusedLightIsTheSameLight) {
   expectSame(again.images, render(scene, optionsOf(GetParam()), asked()));
 }
 
-// A picture of another size and with other samples is made of the same light.
+// A picture of another size and with other samples reuses the light.
 TEST_P(EditTest, AnotherSizeKeepsTheLight) {
   const Scene scene = wobblyBall();
   RenderOptions options = optionsOf(GetParam());
@@ -159,7 +159,7 @@ TEST_P(EditTest, AnotherSizeKeepsTheLight) {
   options.antialias = 4;
   view.setOptions(options);
   const RenderResult larger = view.render({.reuseLight = true});
-  if (GetParam().sum != Sum::Pattern) {  // whose map is of the picture's size
+  if (GetParam().sum != Sum::Pattern) {  // whose map depends on the picture's size
     for (const PassTime& pass : larger.report.passes) {
       EXPECT_NE(pass.name, "shadow");
       EXPECT_NE(pass.name, "deform");
@@ -169,7 +169,8 @@ TEST_P(EditTest, AnotherSizeKeepsTheLight) {
   expectSame(larger.images, render(scene, options, {Aov::Radiance}));
 }
 
-// What shows no light waits for none, is the same beside a picture, and does not pass for one.
+// Variables without light do not wait for it, are the same next to a picture, and do not count as
+// one.
 TEST_P(EditTest, VariablesWithoutLightFindNone) {
   const std::vector<Aov> plain{Aov::Position, Aov::Depth, Aov::DsmArea};
   const auto plainAndLit = [&] {
@@ -198,7 +199,7 @@ TEST_P(EditTest, VariablesWithoutLightFindNone) {
   expectSame(at(0.3, plainAndLit).images, lit);
 }
 
-// Two methods that take turns, as on the two sides of a divider, at times that differ.
+// Two methods take turns, as on both sides of a divider, at different times.
 TEST_P(EditTest, MethodsTakeTurns) {
   View paper(renderer(), optionsOf(methods[2]));
   View own(renderer(), optionsOf(GetParam()));
@@ -220,7 +221,7 @@ TEST_P(EditTest, MethodsTakeTurns) {
 INSTANTIATE_TEST_SUITE_P(Methods, EditTest, testing::ValuesIn(methods),
                          [](const auto& method) { return std::string(method.param.name); });
 
-// Pictures come at once, of the old division, and then the new one's.
+// Pictures come at once with the old division, and then with the new one.
 TEST_P(EditTest, ImpatientPicturesBecomeTheSame) {
   const RenderOptions options = optionsOf(GetParam());
   Scene scene = wobblyBall();

@@ -11,11 +11,11 @@
 namespace opaline::test {
 namespace {
 
-// Scenes far from the origin look as they do at it, whatever says where things are: in single
-// precision places 131 m away are 16 µm apart.
+// Scenes far from the origin look as they do near it, however places are given. In single
+// precision, places 131 m away are 16 µm apart.
 constexpr float offsetsMm[] = {1024, 16384, 131072};
 
-// So that positions are the same numbers everywhere, but for the offset.
+// Rounds so that positions are the same numbers everywhere, up to the offset.
 float onGrid(float x) {
   constexpr float grid = 1.0F / 64;
   return std::round(x / grid) * grid;
@@ -62,7 +62,7 @@ RenderOptions smallOptions(Transport transport = Transport::Boundary) {
   return options;
 }
 
-// Root of the mean square difference over that of the first.
+// Root mean square difference relative to the first.
 double difference(const std::vector<float>& a, const std::vector<float>& b) {
   EXPECT_EQ(a.size(), b.size());
   double apart = 0;
@@ -76,8 +76,8 @@ double difference(const std::vector<float>& a, const std::vector<float>& b) {
   return std::sqrt(apart / all);
 }
 
-// `make` gets an offset. Rounding alone moves the picture of boundary transport by that at any
-// place.
+// `make` takes an offset. Rounding alone changes the picture of boundary transport by `tolerance`
+// at any place.
 void expectAlike(const std::function<std::vector<float>(float)>& make, double tolerance = 5e-3) {
   const std::vector<float> here = make(0);
   for (const float offsetMm : offsetsMm)

@@ -1,5 +1,5 @@
-// What enters, in the diffusion source map: irradiance on spheres against closed forms and direct
-// quadrature.
+// Light that enters, in the diffusion source map: irradiance on spheres against closed forms and
+// direct quadrature.
 
 #include <gtest/gtest.h>
 
@@ -30,14 +30,14 @@ Scene ball(float radiusMm) {
   return sceneOf(sphere({0, 0, 0}, radiusMm, 4), marble(), {0, 0, 4 * radiusMm}, radiusMm * 1.05F);
 }
 
-// The irradiance of visible pixels is the map's.
+// Visible pixels show the map's irradiance.
 RenderOptions byTheMap() {
   RenderOptions options = smallOptions();
   options.sum = Sum::Pattern;
   return options;
 }
 
-// Radiance by direction, made into an environment of small pixels.
+// Makes an environment of small pixels from radiance by direction.
 Image environmentOf(const std::function<double(const Vector&)>& radiance) {
   Image image(256, 128);
   for (int y = 0; y < image.height; ++y)
@@ -52,7 +52,7 @@ Image environmentOf(const std::function<double(const Vector&)>& radiance) {
   return image;
 }
 
-// ∫ L F_t μ dω over the hemisphere of a normal.
+// ∫ L F_t μ dω over the hemisphere about a normal.
 double irradianceByQuadrature(const std::function<double(const Vector&)>& radiance, double eta,
                               const Vector& normal) {
   const Vector helper = std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0};
@@ -112,7 +112,7 @@ TEST_F(GatherTest, EnvironmentOfBandsUpToTwoAgreesWithQuadrature) {
   });
 }
 
-// Whatever the bands leave out, the mean over all normals is that of the mean radiance.
+// Whatever the bands omit, the mean over all normals must be that of the mean radiance.
 TEST_F(GatherTest, SunOfOnePixelStaysFiniteAndRight) {
   constexpr float sun = 70'000;
   Scene scene = ball(5);
@@ -147,7 +147,7 @@ TEST_F(GatherTest, SunOfOnePixelStaysFiniteAndRight) {
   });
 }
 
-// One pixel before even light is a directional light beside ambient light, shadows and all.
+// One bright pixel in even light is a directional light in ambient light, with shadows.
 TEST_F(GatherTest, SunOfAnEnvironmentIsADirectionalLight) {
   constexpr float sun = 70'000;
   constexpr float around = 0.5F;
@@ -197,7 +197,7 @@ TEST_F(GatherTest, DirectionalLightOnASphere) {
   options.dsmSize = 512;
   const auto images = render(
       scene, options, {Aov::DsmPosition, Aov::DsmIrradiance, Aov::Position, Aov::Irradiance});
-  // A texel of the map is 0.2 mm; across it the closed form changes by 0.01 of its maximum.
+  // A texel of the map is 0.2 mm, within which the closed form changes by 0.01 of its maximum.
   const std::array<double, 2> tolerance{0.001, 0.012};
   for (const std::size_t map : {0U, 2U}) {
     int lit = 0;

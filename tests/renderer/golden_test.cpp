@@ -1,4 +1,4 @@
-// Small pictures of the built-in scenes against pictures in golden/, which cases.json lists.
+// Small pictures of the built-in scenes against the pictures in golden/ that cases.json lists.
 // OPALINE_UPDATE_GOLDEN=1 writes them instead.
 
 #include <gtest/gtest.h>
@@ -34,14 +34,13 @@ Value oneOf(const std::map<std::string, Value>& values, const std::string& name)
   return found->second;
 }
 
-/// What cases.json says of one picture. Keys that are missing have RenderOptions' defaults; unknown
-/// ones are refused.
+/// One picture in cases.json. Missing keys have RenderOptions' defaults; unknown ones are refused.
 struct GoldenCase {
   std::string name;
   std::string scene;
   RenderOptions options;
-  double largestDifference = 0;  ///< of any channel of any pixel, of 255
-  double rmsDifference = 0;      ///< of all channels, of 255
+  double largestDifference = 0;  ///< of any channel of any pixel, in units of 1/255
+  double rmsDifference = 0;      ///< over all channels, in units of 1/255
 };
 
 GoldenCase readCase(const json& description) {

@@ -57,7 +57,7 @@ class GroundTest : public RendererTest {
     return options;
   }
 
-  // A ball that stands on it, seen from above.
+  // A ball standing on the ground, seen from above.
   static Scene ballOnGround(const Medium& medium, const Rgb& color) {
     Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), medium, {0, 300, 1}, 5 * ballMm);
     scene.camera.up = {0, 0, -1};
@@ -65,7 +65,7 @@ class GroundTest : public RendererTest {
     return scene;
   }
 
-  // Of the pixels that see the ground at that distance from the place below the ball's middle.
+  // Visits pixels that see the ground at that distance from the place below the ball's middle.
   template <typename Visit>
   static void forEachOfGround(const std::vector<Image>& images, double least, double most,
                               const Visit& visit) {
@@ -104,8 +104,8 @@ TEST_F(GroundTest, GivesBackItsShareOfADirectionalLightButInTheShadow) {
   });
 }
 
-// A polished black ball mirrors Fresnel's part of what the ground sends, where its mirrored ray
-// meets the ground in the light. Nothing else shines there.
+// A polished black ball mirrors light from the ground by Fresnel, where the mirrored ray meets lit
+// ground. Nothing else shines there.
 TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
   RenderOptions options = GroundTest::options();
   options.roughness = 0.05F;
@@ -127,7 +127,7 @@ TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
     const Vector mirrored = 2 * cosine * normal - toCamera;
     if (mirrored[1] > -0.1 || cosine < 0.4) return;
     const Vector met = at + (-double{ballMm} - at[1]) / mirrored[1] * mirrored;
-    // Away from the shadow's cylinder by a cluster's width.
+    // At least a cluster's width away from the shadow's cylinder.
     const double along = 0.8 * met[1] + 0.6 * met[2];
     if (std::sqrt(dot(met, met) - along * along) < 1.3 * double{ballMm}) return;
     const double expected = bssrdf::fresnelReflectance(darkness().eta, cosine) * 0.8 * 0.8 * 3 / pi;
@@ -138,7 +138,7 @@ TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
   EXPECT_LT(errors.rms(), 0.02);
 }
 
-// Of a sphere that stands wholly above a surface element a part (R/r)² cos θ of its sky is hidden.
+// A sphere wholly above a surface element hides (R/r)² cos θ of its sky.
 TEST_F(GroundTest, TheBallHidesItsPartOfTheSky) {
   RenderOptions options = finelyDivided(GroundTest::options());
   options.bounces = 0;
@@ -182,7 +182,7 @@ TEST_F(GroundTest, ItsColourTintsWhatStandsOnIt) {
   const Vector alone = below(scene);
   const Vector tinted = below(standing);
   EXPECT_GT(tinted[0], 1.1 * alone[0]);
-  EXPECT_NEAR(tinted[1], alone[1], 0.02 * alone[1]);  // it gives back no green
+  EXPECT_NEAR(tinted[1], alone[1], 0.02 * alone[1]);  // the ground reflects no green
 }
 
 TEST_F(GroundTest, DoesNotMoveAndHidesWhatShinesFromBelow) {
@@ -197,7 +197,7 @@ TEST_F(GroundTest, DoesNotMoveAndHidesWhatShinesFromBelow) {
   });
 }
 
-// Lambert's ball: a share of the irradiance, which goes with the cosine.
+// Lambert's ball: a share of the irradiance, which is proportional to the cosine.
 TEST_F(GroundTest, OtherOpaqueBodiesGiveBackLightAsWell) {
   Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), marble(), {0, 0, 60}, ballMm);
   scene.objects[0].opaque = mattMaterial({0.9F, 0.6F, 0.3F});

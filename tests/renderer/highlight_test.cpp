@@ -17,13 +17,13 @@ namespace {
 
 using HighlightTest = RendererTest;
 
-// What a mirroring sphere sends to a point at some distance follows from the curvatures that
-// reflection gives to parallel light (Coddington's equations). A polished one that is a little
-// rough sends as much.
+// What a mirroring sphere sends to a distant point follows from the curvature that reflection gives
+// to parallel light (Coddington's equations). A slightly rough polished sphere sends the same
+// amount.
 TEST_F(HighlightTest, APolishedSphereReflectsAsMuchAsAMirror) {
   constexpr double radiusMm = 10;
   constexpr double irradiance = 3;
-  constexpr float seenMm = 1.6F;  // around the highlight: all but its faint rim
+  constexpr float seenMm = 1.6F;  // around the highlight: everything but its faint rim
   const Vector camera{0, 0, 180};
   const Vector normal = unit({0.5, 0, 0.8});
   const Vector highlight = radiusMm * normal;
@@ -54,7 +54,7 @@ TEST_F(HighlightTest, APolishedSphereReflectsAsMuchAsAMirror) {
       forEachCovered(with, [&](std::size_t i) {
         reflected += static_cast<double>(with.rgba[i] - without.rgba[i]) * pixel * pixel;
       });
-      // What a GGX lobe of that width holds within so many of its widths.
+      // The part of a GGX lobe of that width within so many of its widths.
       const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
       const double widths = static_cast<double>(seenMm) / (radiusMm * alpha);
       const double within = widths * widths / (1 + widths * widths);
@@ -77,8 +77,8 @@ double ggx(double alpha, const Vector& normal, const Vector& toLight, const Vect
          bssrdf::fresnelReflectance(marble().eta, dot(toLight, half)) * in;
 }
 
-// A sun is mirrored as a disc: as bright in the middle, as much light, as wide. The integral of the
-// lobe over the disc says how much that is.
+// A sun is mirrored as a disc with the right brightness in the middle, total light and width, which
+// follow from the integral of the lobe over the disc.
 TEST_F(HighlightTest, ASunIsMirroredAsADisc) {
   constexpr double radiusMm = 10;
   constexpr float seenMm = 2;
@@ -137,7 +137,7 @@ TEST_F(HighlightTest, ASunIsMirroredAsADisc) {
       const std::string which = fmt::format("roughness {}, cosine {:.2f}", roughness, cosine);
       EXPECT_NEAR(found / expected, 1, 0.03) << which;
       EXPECT_NEAR(peak / expectedPeak, 1, 0.1) << which;
-      // A polished surface mirrors a disc with an edge, and a lobe has none.
+      // A polished surface mirrors a disc with a sharp edge; a lobe has none.
       EXPECT_NEAR(width, 1, roughness > 0.2F ? 0.05 : 0.5) << which;
     }
   }

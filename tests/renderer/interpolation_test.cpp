@@ -1,5 +1,5 @@
-// Light between sums at fragments, against the sum of all sources at every pixel: most pixels need
-// none, nothing is taken across an edge, and details that lie between are found.
+// Interpolation between sums at fragments, against summing all sources at every pixel: most pixels
+// need no sum, nothing is interpolated across edges, and details between sums are found.
 
 #include <gtest/gtest.h>
 
@@ -58,14 +58,13 @@ TEST_F(InterpolationTest, PixelsFartherApartThanFreePathsEachHaveTheirSum) {
   EXPECT_EQ(shareOfCoveredBelow(evaluations, 1), 0);
 }
 
-// One half of the picture shows a lit box before another in the dark. The edge between them lies
-// between pixels.
+// A lit box fills one half of the picture, in front of a dark one. The edge lies between pixels.
 TEST_F(InterpolationTest, NothingIsTakenAcrossAnEdge) {
   Scene scene = sceneOf(together(box({-3, 0, 3}, {3, 6, 1}), box({3, 0, -6}, {6, 6, 1})), marble(),
                         {0, 0, 40}, 4);
   scene.lighting.directional = {{toVec3(unit({-1, 0, 0.3})), {3, 3, 3}}};
   renderer().setScene(scene);
-  // It goes through the middle of a block, and along the side of one.
+  // The edge passes through the middle of a block, and along the side of one.
   for (const int edge : {100, 96}) {
     const TreeAndAll images = treeAndAll(atFragments(edge, Transport::Dipole));
     EXPECT_LT(errorsOf(images.tree, images.all).localLargest, 0.02) << edge;
@@ -80,7 +79,7 @@ TEST_F(InterpolationTest, CarriedLightIsAsWithASumForEveryPixel) {
   EXPECT_LT(errors.localLargest, 0.03);
 }
 
-// Pictures of more samples leave surfaces in layers that others do not have.
+// Pictures with more samples fill layers that other pictures do not have.
 TEST_F(InterpolationTest, APictureOfMoreSamplesLeavesNothingBehind) {
   renderer().setScene(ballLitFromTheSide(skin()));
   RenderOptions options = atFragments(64, Transport::Boundary);

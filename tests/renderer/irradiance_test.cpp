@@ -1,5 +1,5 @@
-// What surfels have gathered, where the camera sees them: against Lambert's cosine law, Fresnel's
-// transmittance and the geometry of shadows.
+// The light that surfels have gathered, as the camera sees it, against Lambert's cosine law,
+// Fresnel's transmittance and the geometry of shadows.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ double longestEdge(const Mesh& mesh) {
   return longest;
 }
 
-// A surfel of the ball is within a triangle, so its mean is what the closed form has somewhere
+// A surfel of the ball lies in one triangle. Its mean must thus be a value that the closed form has
 // within an edge's length of the pixel.
 TEST_P(IrradianceTest, ABallFollowsTheCosineToItsLamp) {
   constexpr double radiusMm = 5;
@@ -117,8 +117,8 @@ TEST_P(IrradianceTest, UniformLightGivesPiTimesMeanTransmittance) {
   EXPECT_GT(covered, 2000);
 }
 
-// A plate over a lit floor. Light that leaves the floor and the plate and enters again does not
-// count: where no lamp is seen, there is none.
+// A plate over a lit floor. Light that leaves floor or plate and enters again does not count, so
+// places that see no lamp are black.
 TEST_P(IrradianceTest, AShadowIsBlackInside) {
   const Mesh floor = box({0, -2, 0}, {20, 2, 20}, 32);
   Scene scene = sceneOf(floor, marble(), {-60, 70, 0}, 30);
@@ -128,8 +128,8 @@ TEST_P(IrradianceTest, AShadowIsBlackInside) {
   RenderOptions wanted = finelyDivided(options());
   wanted.bounces = 2;
   const auto images = render(scene, wanted, {Aov::Position, Aov::Irradiance});
-  // The plate's shadow begins at its lower side, 9.5 mm up, on the one hand, and at its upper, 10.5
-  // mm up, on the other.
+  // On one side the shadow is cast by the plate's lower edge, 9.5 mm up, on the other by its upper
+  // edge, 10.5 mm up.
   const auto outside = [](const Vector& p) {
     return std::max({-9 - 0.5 * 10.5 - p[0], p[0] - 9 + 0.5 * 9.5, std::abs(p[2]) - 9});
   };
@@ -153,7 +153,7 @@ TEST_P(IrradianceTest, AShadowIsBlackInside) {
   EXPECT_GT(lit, 1000);
 }
 
-// Whether it is asked for alone, with the picture, or of light that a frame before has found.
+// Whether it is rendered alone, with the picture, or from light that an earlier frame found.
 TEST_P(IrradianceTest, IsTheSameHoweverItIsAskedFor) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 20}, 5.25F);
   scene.lighting.directional = {{{1, 1, 2}, {3, 2, 1}}};
@@ -161,7 +161,7 @@ TEST_P(IrradianceTest, IsTheSameHoweverItIsAskedFor) {
   View view(renderer(), options());
   const auto with = view.render({.aovs = {Aov::Radiance, Aov::Irradiance}}).images;
   EXPECT_EQ(with[1].rgba, alone.rgba);
-  // A frame of another size, whose surfels other shadow maps light.
+  // A frame of another size, whose surfels are lit by other shadow maps.
   RenderOptions other = options();
   other.width = 48;
   other.shadowSize = 64;

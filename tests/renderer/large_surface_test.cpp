@@ -1,4 +1,4 @@
-// Surfaces of few triangles that are many mean free paths long.
+// Surfaces of few triangles, many mean free paths long.
 
 #include <gtest/gtest.h>
 
@@ -36,8 +36,8 @@ RenderOptions optionsAt(Site site, int maxSurfels) {
   return options;
 }
 
-// ∫ R_d over a square around a place in it, by the angle: (1/2π) ∫ D(ρ(θ)) dθ with ρ the way to the
-// border.
+// ∫ R_d over a square around a place in it, by the angle: (1/2π) ∫ D(ρ(θ)) dθ, where ρ is the
+// distance to the border.
 double overSquare(const bssrdf::Profile& profile, double halfMm, double x, double y) {
   constexpr int angles = 180;
   double sum = 0;
@@ -52,7 +52,7 @@ double overSquare(const bssrdf::Profile& profile, double halfMm, double x, doubl
   return sum / angles;
 }
 
-// The largest deviation from E ∫ R_d over the square, a part of what it is in the middle.
+// Largest deviation from E ∫ R_d over the square, relative to its value in the middle.
 double deviationOf(const std::vector<Image>& images, bssrdf::Model model, double halfMm) {
   double largest = 0;
   const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, marble());
@@ -78,7 +78,7 @@ Scene litSquare(float halfMm) {
   return scene;
 }
 
-// Nothing of it depends on how large the square is: 10 to 100,000 mean free paths.
+// The result must not depend on the size of the square: 10 to 100,000 mean free paths.
 TEST_F(LargeSurfaceTest, ASquareOfTwoTrianglesIsTheIntegralAtAnySize) {
   for (const double inFreePaths : {1e1, 1e2, 1e3, 1e4, 1e5}) {
     const double halfMm = inFreePaths * marbleFreePathMm / 2;
@@ -101,7 +101,8 @@ TEST_F(LargeSurfaceTest, ASquareOfTwoTrianglesIsTheIntegralAtAnySize) {
   }
 }
 
-// At its corners, too, light is what enters there where a mean free path is nothing to it.
+// At the corners, too, the light that enters leaves, as a mean free path is tiny compared to the
+// square.
 TEST_F(LargeSurfaceTest, CornersOfAHugeSquareAreAsBrightAsItsMiddle) {
   const double halfMm = 5e4 * marbleFreePathMm;
   renderer().setScene(litSquare(static_cast<float>(halfMm)));
@@ -110,8 +111,8 @@ TEST_F(LargeSurfaceTest, CornersOfAHugeSquareAreAsBrightAsItsMiddle) {
   EXPECT_LT(deviationOf(images, bssrdf::Model::Dipole, halfMm), 0.02);
 }
 
-// A shadow's border, and what lies deep in the shadow, in sources of a third of a mean free path
-// and in ones that are some mean free paths apart.
+// A shadow's border, and places deep in the shadow. Sources are a third of a mean free path wide,
+// or some mean free paths apart.
 TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   Scene scene = sceneOf(square(24), marble(), {0, 0, 80}, 22);
   scene.objects.push_back({"shade", sheet({44, 0, 30}, {30, 0, 0}, {0, 60, 0}, 1), marble()});
@@ -121,8 +122,8 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   const std::vector<Image> fine = render(scene, options, {Aov::Exitance, Aov::Object});
   float brightest = 0;
   forEachCovered(fine[0], [&](std::size_t i) { brightest = std::max(brightest, fine[0].rgba[i]); });
-  // The border lies where the sources have it, to half of their spacing; the deeper in the shadow,
-  // the more that is of what comes from there.
+  // The border is known to half the spacing of the sources. Deep in the shadow, light from that
+  // border dominates.
   struct Bound {
     int maxSurfels;
     float ofBrightest;
@@ -149,7 +150,7 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   }
 }
 
-// A fine body and a coarse floor in one mesh: shadows fall between the floor's corners.
+// A fine body and a coarse floor in one mesh, with shadows between the floor's corners.
 TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
   Scene scene = sceneOf(together(sphere({0, 0, 2}, 1, 4), square(100)), marble(), {0, 0, 300}, 100);
   scene.lighting.directional = {{{0, 0, 1}, {3, 3, 3}}};
@@ -159,8 +160,8 @@ TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
   EXPECT_TRUE(chosen.rgba == fragment.rgba);
 }
 
-// What crosses a plate that is 20 times as wide as thick is the same everywhere in its middle, also
-// where clusters are two mean free paths apart and larger than shape and medium ask for.
+// Light through a plate 20 times as wide as thick must be even in its middle, even if clusters are
+// two mean free paths apart and larger than shape and medium ask for.
 TEST_F(LargeSurfaceTest, APlateLitFromBehindIsEven) {
   Scene scene = sceneOf(box({0, 0, 0}, {88, 88, 4}, 1), *findMedium("chicken1"), {0, 0, 300}, 44);
   scene.lighting.directional = {{{0, 0, -1}, {3, 3, 3}}};
@@ -169,7 +170,7 @@ TEST_F(LargeSurfaceTest, APlateLitFromBehindIsEven) {
   options.width = options.height = 128;
   options.maxClusters = 2048;
   const std::vector<Image> images = render(scene, options, {Aov::Exitance, Aov::Position});
-  for (std::size_t c = 0; c < 2; ++c) {  // of blue too little crosses
+  for (std::size_t c = 0; c < 2; ++c) {  // too little blue gets through
     double sum = 0;
     double squares = 0;
     int seen = 0;

@@ -1,4 +1,4 @@
-// Where the device puts vertices, against the evaluation on the host in double precision, and given
+// The positions that the device computes, against the host's in double precision, and given
 // positions.
 
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ Scene ball() {
   return sceneOf(sphere({1, 2, 3}, 5, 3), marble(), {0, 0, 40}, 6);
 }
 
-/// Two joints, one turning about the other, two morph targets, one with normals.
+/// Two joints, one turning about the other, and two morph targets, one with normals.
 Scene rigged(Interpolation interpolation, bool normalsOfTargets) {
   Scene scene = ball();
   Object& object = scene.objects[0];
@@ -141,7 +141,7 @@ Scene rigged(Interpolation interpolation, bool normalsOfTargets) {
   Track turn{1, TrackTarget::Rotation, interpolation, {0, 1, 2}, {}};
   Track weights{0, TrackTarget::MorphWeights, interpolation, {0.5F, 1.5F}, {}};
   const bool cubic = interpolation == Interpolation::CubicSpline;
-  // The second quaternion's sign is the longer way round.
+  // The second quaternion's sign suggests the longer way round.
   const std::vector<std::vector<float>> rotations{
       {0, 0, 0, 1}, {-0.5F, -0.5F, -0.5F, -0.5F}, {half, 0, 0, half}};
   for (const std::vector<float>& q : rotations) {
@@ -200,7 +200,7 @@ TEST_F(MotionTest, FacettedMeshesStayFacetted) {
   expectAsOnHost(0, 0.7);
 }
 
-// A clip that mirrors what is not mirrored at rest: the same sphere again, right side out.
+// A clip mirrors a body that is not mirrored at rest: the same sphere, still right side out.
 TEST_F(MotionTest, MirroredByAClipStaysRightSideOut) {
   for (const bool facetted : {false, true}) {
     Scene scene = ball();
@@ -265,7 +265,7 @@ TEST_F(MotionTest, GivenPositionsHoldUntilRestored) {
     const Moved moved = at(0, 0.3 * frame);
     for (std::size_t v = 0; v < rest.size(); ++v) {
       ASSERT_NEAR(moved.positions[v].x, rest[v][0] + 7, 1e-5);
-      // Of the sphere that the positions lie on; its triangles' mean is that good.
+      // The normal of the sphere through the positions; the mean over triangles is this precise.
       ASSERT_NEAR(moved.normals[v].y, (rest[v][1] - 2) / 5, 0.01);
     }
     motion_->given().give(0, given, motion_->tables());

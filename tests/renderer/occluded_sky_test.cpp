@@ -1,5 +1,5 @@
-// The sky's light that enters under boundary transport: against quadrature over the directions that
-// nothing stands in.
+// Light of the sky that enters under boundary transport, against quadrature over the unobstructed
+// directions.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using OccludedSkyTest = RendererTest;
 
 using Radiance = std::function<double(const Vector&)>;
 
-/// The same in R, G and B.
+/// An environment equal in R, G and B.
 std::shared_ptr<const Image> environmentOf(const Radiance& radiance, int height = 128) {
   Image image(2 * height, height);
   for (int y = 0; y < height; ++y)
@@ -62,8 +62,8 @@ double entering(const Radiance& radiance, const Vector& normal, double eta) {
 
 constexpr double radiusMm = 2;
 
-/// Root mean square of the error over a ball around the origin, over the mean; of places where
-/// something is expected.
+/// Root mean square error over a ball around the origin, relative to the mean, at places with an
+/// expected value.
 double errorOnBall(const Scene& scene,
                    const std::function<std::optional<double>(const Vector&)>& expectedAt) {
   const RenderResult found =
@@ -109,7 +109,8 @@ TEST_F(OccludedSkyTest, IsHiddenByDirection) {
   EXPECT_LT(error, 0.05);
 }
 
-// A sun in it is a light of its own; what is left has no edge sharper than a window's.
+// A sun in the environment becomes a light of its own. The rest has no edge sharper than a
+// window's.
 TEST_F(OccludedSkyTest, OnAConvexBodyIsTheIntegral) {
   const Vector toSun = unit({0.6, 0.7, 0.5});
   const double cosineOfSun = std::cos(2 * pi / 180);
@@ -122,7 +123,7 @@ TEST_F(OccludedSkyTest, OnAConvexBodyIsTheIntegral) {
   scene.lighting.environment = environmentOf(
       [&](const Vector& d) { return radiance(d) + (dot(d, toSun) > cosineOfSun ? 3000 : 0); },
       height);
-  double irradianceOfSun = 0;  // as the map's pixels have it
+  double irradianceOfSun = 0;  // as the map's pixels represent it
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < 2 * height; ++x) {
       const double v = (y + 0.5) / height;
@@ -155,13 +156,14 @@ TEST_F(OccludedSkyTest, OfOneColourIsAmbientLight) {
   EXPECT_LT(errors.localLargest, 1e-4);
 }
 
-// A box that two quarter turns about y leave as it is, seen from the side that was turned along.
+// A box that looks the same after a quarter turn about y, seen from the side to which it was
+// turned.
 TEST_F(OccludedSkyTest, TurnsWithTheEnvironment) {
   Scene scene = sceneOf(box({0, 0, 0}, {4, 3, 4}, 16), marble(), {0, 8, 30}, 6);
   Lighting lighting;
   lighting.environment = environmentOf(gradient);
   const Image before = exitanceOf(scene, lighting);
-  // What was towards +z is towards +x.
+  // What was towards +z is now towards +x.
   lighting.environment = environmentOf([](const Vector& d) {
     return gradient({-d[2], d[1], d[0]});
   });

@@ -34,8 +34,8 @@ class OpaqueLightsTest : public RendererTest {
     return scene;
   }
 
-  // Half of what is below a disc is hidden: what the left half of the plate sees of it is a
-  // segment.
+  // A half plane below a disc hides part of it: from the left half of the plate a segment is
+  // visible.
   static Scene plateBelowHalfPlane(float radius) {
     Scene scene = plate(12, 4, {0, 40, 1});
     scene.objects.push_back({.name = "half plane",
@@ -61,7 +61,7 @@ class OpaqueLightsTest : public RendererTest {
     return found;
   }
 
-  // Of what falls there without an occluder.
+  // Relative to the irradiance without an occluder.
   static double shareOf(const Found& found, const Scene& scene) {
     return found.irradiance /
            byQuadrature(scene.lighting.areas[0], found.position, 1, {0, 1, 0}, 16);
@@ -92,7 +92,7 @@ TEST_F(OpaqueLightsTest, GiveAPlateWhatQuadratureGives) {
     }
 }
 
-// What a half plane leaves of a disc is found by 256 places to 2 %, wherever its edge is.
+// 256 places find the visible part of a disc behind a half plane to 2 %, wherever its edge is.
 TEST_F(OpaqueLightsTest, TheirPenumbraIsTheAreaOfASegment) {
   constexpr float radius = 4;
   const Scene scene = plateBelowHalfPlane(radius);
@@ -103,7 +103,7 @@ TEST_F(OpaqueLightsTest, TheirPenumbraIsTheAreaOfASegment) {
     if (std::abs(x) > 6) continue;
     ++seen;
     const double share = shareOf(found, scene);
-    // From x the edge at the height of 50 hides all of the disc that is left of -x.
+    // Seen from x, the edge at the height 50 hides the part of the disc left of -x.
     const double error = share - shareBeyondEdge(-x, double{radius});
     EXPECT_NEAR(error, 0, 0.04) << x;
     squares += error * error;
@@ -117,7 +117,7 @@ TEST_F(OpaqueLightsTest, TheirPenumbraIsTheAreaOfASegment) {
   EXPECT_LT(std::sqrt(squares / seen), 0.01);
 }
 
-// A penumbra that is narrower than a pixel stays as narrow as a few.
+// A penumbra narrower than a pixel stays a few pixels wide at most.
 TEST_F(OpaqueLightsTest, TheShadowOfASmallOneIsSharp) {
   constexpr float radius = 0.05F;
   constexpr int pixels = 64;
@@ -131,8 +131,8 @@ TEST_F(OpaqueLightsTest, TheShadowOfASmallOneIsSharp) {
   }
 }
 
-// Large pictures are made in bands, whose borders are not seen: along the edge light hardly
-// changes.
+// Large pictures are made in bands. Light hardly changes along the edge, so the borders of bands
+// would show.
 TEST_F(OpaqueLightsTest, BandsHaveNoSeams) {
   const Scene scene = plateBelowHalfPlane(4);
   RenderOptions options = OpaqueLightsTest::options();

@@ -40,8 +40,8 @@ class OpaqueTest : public RendererTest {
     return options;
   }
 
-  // A square that faces +z, seen from there so that it fills the picture and more; the texture's
-  // upper left corner is at its own.
+  // A square that faces the camera on +z and more than fills the picture. Its upper left corner has
+  // the texture's.
   static Scene squareOf(const OpaqueMaterial& material) {
     Mesh square;
     for (const float y : {1.0F, -1.0F})
@@ -73,7 +73,7 @@ TEST_F(OpaqueTest, TexturesAreLinearBeforeTheyAreInterpolated) {
   material.baseColorTexture = texture;
   Scene scene = squareOf(material);
   scene.lighting.directional.push_back({{0, 0, 1}, {3, 3, 3}});
-  // In the middle the mean of black and white light, not of what they are stored as.
+  // The middle has the mean of black and white light, not of their encoded values.
   const Image image = render(scene, options(), {Aov::Radiance})[0];
   const int middle = edgePixels / 2;
   const double between = 0.5 * (double{image.pixel(middle, 3)[1]} + image.pixel(middle - 1, 3)[1]);
@@ -103,7 +103,7 @@ TEST_F(OpaqueTest, ColoursOfTexelsAreThoseOfTheFileUpsideUp) {
   expectAt(24, 24, {0, 0.5, 0});
 }
 
-// A fine checker seen small is its mean: nothing shimmers.
+// A fine checker in the distance shows its mean and does not shimmer.
 TEST_F(OpaqueTest, FarTexturesAreTheirMean) {
   OpaqueMaterial material = mattMaterial({1, 1, 1});
   Texture texture;
@@ -118,10 +118,10 @@ TEST_F(OpaqueTest, FarTexturesAreTheirMean) {
       EXPECT_NEAR(double{image.pixel(x, y)[1]}, 0.5 / pi, 2e-3);
 }
 
-// A square tilted by its texture: Lambert's cosine.
+// A texture tilts the normal of a square: Lambert's cosine follows.
 TEST_F(OpaqueTest, NormalTexturesTurnTheSurface) {
   OpaqueMaterial material = mattMaterial({1, 1, 1});
-  const double tilt = 0.5;  // towards +x and, since green is up, +y
+  const double tilt = 0.5;  // towards +x and, as green is up, +y
   const double s = std::sin(tilt) / std::sqrt(2.0);
   Texture texture;
   texture.pixels =
@@ -136,7 +136,7 @@ TEST_F(OpaqueTest, NormalTexturesTurnTheSurface) {
   EXPECT_NEAR(radianceAt(scene, 9, 20)[0], cosine / pi, 2e-3);
 }
 
-// Of alpha² = a², cosines to the half vector, the light and the eye.
+// With alpha² = a², and cosines to the half vector, the light and the eye.
 double ggx(double alpha, double half, double in, double out) {
   const double a2 = alpha * alpha;
   const double t = half * half * (a2 - 1) + 1;
@@ -145,7 +145,7 @@ double ggx(double alpha, double half, double in, double out) {
   return distribution / ((1 + lambda(in) + lambda(out)) * 4 * in * out);
 }
 
-// What a GGX surface of F = 1 mirrors of even light once, by a sum over the hemisphere of half
+// What a GGX surface with F = 1 mirrors once of even light, summed over the hemisphere of half
 // vectors.
 double mirroredOnce(double alpha, double out) {
   constexpr int steps = 400;
@@ -205,7 +205,7 @@ TEST_F(OpaqueTest, HalfMetalIsTheMeanOfMetalAndDielectric) {
     EXPECT_NEAR(mixed[c] / (0.75 * dielectric[c] + 0.25 * metal[c]), 1, 1e-4);
 }
 
-// What is white and takes nothing away is not to be seen in a white furnace.
+// A white material that absorbs nothing is invisible in a white furnace.
 TEST_F(OpaqueTest, NothingIsLostInAWhiteFurnace) {
   for (const float metallic : {0.0F, 0.5F, 1.0F})
     for (const float roughness : {0.1F, 0.5F, 1.0F}) {
@@ -219,7 +219,8 @@ TEST_F(OpaqueTest, NothingIsLostInAWhiteFurnace) {
     }
 }
 
-// Head on a smooth surface without F₀ mirrors nothing, and tables go on beyond their ends.
+// A smooth surface without F₀ mirrors nothing head-on, and lookups beyond a table's ends are
+// clamped.
 TEST_F(OpaqueTest, WhatMirrorsNothingHeadOnIsNotBelowBlack) {
   for (const float roughness : {0.0F, 0.05F, 0.1F, 0.2F, 0.4F, 0.7F, 1.0F}) {
     OpaqueMaterial black;
@@ -242,7 +243,7 @@ TEST_F(OpaqueTest, AlphaCutsHoles) {
   material.baseColorTexture = texture;
   material.alphaCutoff = 0.5F;
   Scene scene = squareOf(material);
-  // Behind it, where light comes only through the holes.
+  // Behind the first, so that light only comes through the holes.
   scene.objects.push_back(squareOf(mattMaterial({1, 1, 1})).objects[0]);
   for (Vec3& place : scene.objects[1].mesh.positionsMm) place[2] -= 2;
   scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
@@ -262,7 +263,7 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   EXPECT_NEAR(radianceAt(scene, 16, 16)[0], 2, 1e-3);
   Scene both = squareOf(mattMaterial({0.5F, 0.5F, 0.5F}));
   both.objects.push_back(scene.objects[0]);
-  // A third of its edge above, facing down; the camera looks from below it.
+  // A third of the edge above, facing down. The camera looks from below it.
   constexpr float above = 2 * halfEdgeMm / 3;
   Mesh& mesh = both.objects[1].mesh;
   for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
@@ -272,7 +273,7 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   both.camera.positionMm = {0, 0, 0.99F * above};
   both.camera.verticalFovDegrees = 10;
-  // Of a square plate over the middle of another (Howell, B-4, four times).
+  // A square plate over the middle of another (Howell, B-4, four times).
   const double x = static_cast<double>(halfEdgeMm / above);
   const double root = std::sqrt(1 + x * x);
   const double factor = 4 * x / root * std::atan(x / root) / pi;
@@ -284,8 +285,8 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   EXPECT_NEAR(found[2], 0.5 * factor * 0.5, 0.01 * factor);
 }
 
-// A lamp so small that few rays of a place meet it: E by quadrature over its square, without
-// mottles.
+// A lamp so small that few rays from a place hit it: E by quadrature over its square, without
+// noise.
 TEST_F(OpaqueTest, LightOfSmallThingsIsEven) {
   OpaqueMaterial lamp = mattMaterial({0, 0, 0});
   lamp.emission = {1, 1, 1};
@@ -330,7 +331,7 @@ TEST_F(OpaqueTest, LightOfSmallThingsIsEven) {
   EXPECT_LT(std::sqrt(squares / count), 0.15 * all / count);
 }
 
-// Inside a luminous matt ball all is L + ρL + ρ²L + …, also beyond the bounces that are followed.
+// Inside a luminous matt ball all is L + ρL + ρ²L + …, including bounces that are not traced.
 TEST_F(OpaqueTest, LightGoesRoundInAHollowBall) {
   Mesh hollow = sphere({0, 0, 0}, 10, 4);
   for (Vec3& normal : hollow.normals) normal = {-normal[0], -normal[1], -normal[2]};
@@ -348,7 +349,8 @@ TEST_F(OpaqueTest, LightGoesRoundInAHollowBall) {
   }
 }
 
-// Rays pass what is cut out: light of a panel and of the sky goes through a plate that is all hole.
+// Rays pass cut-out surfaces: light of a panel and of the sky goes through a plate that is all
+// hole.
 TEST_F(OpaqueTest, LightPassesWhatIsCutOut) {
   OpaqueMaterial hole = mattMaterial({1, 1, 1});
   Texture texture;
@@ -378,7 +380,7 @@ TEST_F(OpaqueTest, UnlitIsItsColourWhateverTheLight) {
   EXPECT_NEAR(found[2], 0.9, 1e-4);
 }
 
-// Surfaces are listed in any order, so that each time others are looked at together.
+// Surfaces are listed in any order, so that different ones are processed together each time.
 TEST_F(OpaqueTest, APictureWithTexturesIsTheSameEachTime) {
   constexpr int size = 64;
   std::vector<std::array<double, 4>> texels;

@@ -1,4 +1,5 @@
-// Paint on translucent bodies: in even light its colours, in a lamp's what path tracing finds.
+// Paint on translucent bodies: its own colours in even light, and what path tracing finds in a
+// lamp's light.
 
 #include <gtest/gtest.h>
 
@@ -31,9 +32,9 @@ bool isDark(const Vector& place) {
   return place[0] * place[1] > 0;
 }
 
-/// A ball of a medium of the pale colour, with a dark tint on two sectors by a texture of four
-/// pixels along the angle around z. Triangles that meet the border between sectors have corners of
-/// their own, so that the texture does not run backwards there.
+/// A ball of a medium of the pale colour. A texture of four pixels along the angle around z gives
+/// two sectors a dark tint. Triangles at the border between sectors have corners of their own, so
+/// that the texture does not run backwards there.
 Scene paintedBall(double eta, double meanFreePathMm) {
   Appearance appearance{{0.75, 0.75, 0.75}, {}, 0, eta};
   appearance.meanFreePathMm.fill(meanFreePathMm);
@@ -71,7 +72,7 @@ struct Means {
   double dark;
 };
 
-/// Of the exitance well inside of the sectors, seen from +z.
+/// Mean exitance well inside the sectors, seen from +z.
 Means meansInside(const std::vector<Image>& images) {
   const auto mean = [&](bool dark) {
     return meanWhere(images[0], images[1], [&](const Vector& at) {
@@ -82,7 +83,7 @@ Means meansInside(const std::vector<Image>& images) {
   return {mean(false), mean(true)};
 }
 
-// A body of two hundred mean free paths is all but a half-space.
+// A body of two hundred mean free paths is nearly a half-space.
 TEST_F(PaintedBodyTest, InEvenLightItsColorsAreThoseOfThePaint) {
   for (const double eta : {1.3, 1.4, 1.5}) {
     Scene scene = paintedBall(eta, 0.1);
@@ -95,8 +96,8 @@ TEST_F(PaintedBodyTest, InEvenLightItsColorsAreThoseOfThePaint) {
   }
 }
 
-/// A ball, or an ellipsoid, of an appearance that a texture of four shades of grey beside one
-/// another says, of which the whole body has one.
+/// A ball, or an ellipsoid, with an appearance from a texture of four shades of grey side by side;
+/// the whole body has one of them.
 Scene evenlyPainted(double eta, double meanFreePathMm, std::size_t shade, const Vector& halfAxesMm,
                     double ballMm) {
   TexturePixels pixels;
@@ -131,7 +132,7 @@ Scene evenlyPainted(double eta, double meanFreePathMm, std::size_t shade, const 
   return scene;
 }
 
-/// Of the light that entered, what leaves again.
+/// The share of the entered light that leaves again.
 double meanShare(const Scene& scene, double eta) {
   const Image image = renderBoundary(scene, boundaryOptions(48), {Aov::Exitance}).images[0];
   double sum = 0;
@@ -139,7 +140,7 @@ double meanShare(const Scene& scene, double eta) {
   return sum / count / (std::numbers::pi * bssrdf::meanTransmittance(eta));
 }
 
-// As large as the ball that the colours are of, from 20 mean free paths on.
+// Valid for bodies as large as the ball of the colours, from 20 mean free paths on.
 TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnIt) {
   for (const double eta : {1.3, 1.5})
     for (const double meanFreePathMm : {0.1, 0.4, 1.0})
@@ -149,7 +150,7 @@ TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnIt) {
       }
 }
 
-// With six times its volume over its surface for the ball's diameter.
+// The ball's diameter is taken as six times the ellipsoid's volume over its surface.
 TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnAnEllipsoid) {
   const double eta = 1.4;
   const double a = 10;
@@ -164,7 +165,7 @@ TEST_F(PaintedBodyTest, ColorsOfABallAreSeenOnAnEllipsoid) {
   }
 }
 
-/// By path tracing, in four bands of the cosine to +z by dark and pale: exitance.
+/// Exitance by path tracing, in four bands of the cosine to +z, each dark and pale.
 using Bands = std::array<std::array<double, 2>, 4>;
 
 std::size_t bandOf(const Vector& place) {
@@ -227,7 +228,7 @@ Bands renderedBands(const Scene& scene) {
   return sums;
 }
 
-// Where light crosses the layer, four times over: on its way in, out, and mirrored back and forth.
+// Light crosses the layer four times: on its way in and out, and mirrored back and forth.
 TEST_F(PaintedBodyTest, InALampsLightItIsWhatPathTracingFinds) {
   Scene scene = paintedBall(1.4, 0.4);
   scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
@@ -255,8 +256,8 @@ TEST_F(PaintedBodyTest, PaintThatIsNotThereChangesNothing) {
   });
 }
 
-/// A sheet of squares of two triangles, of which the left upper corner of each is cut into many
-/// small dark ones that make up a hundredth of its area.
+/// A sheet of squares of two triangles each. The upper left corner of each is cut into many small
+/// dark triangles that make up a hundredth of its area.
 Scene speckledSheet() {
   constexpr int squares = 24;
   constexpr double edgeMm = 1;
@@ -301,8 +302,8 @@ Scene speckledSheet() {
   return scene;
 }
 
-// Surfels of many triangles let in what each lets in, by their areas: here .99 of that of the pale
-// part, though most triangles are dark.
+// Surfels of many triangles let in what each triangle does, weighted by area: 0.99 of the pale part
+// here, although most triangles are dark.
 TEST_F(PaintedBodyTest, SmallTrianglesCountByTheirArea) {
   RenderOptions options = smallOptions();
   options.transport = Transport::BetterDipole;

@@ -1,7 +1,7 @@
-// The paper's pattern is an approximation; these are the bounds it keeps on spheres, where the
-// exact exitance is known. Measured with dipole and marble, texels of a quarter or half a mean free
-// path, radii of 5 and 20 mm: 0.86 to 1.10 of the exact one, 3.7 % rms, steps of at most 0.14 from
-// pixel to pixel. Texels as long as a mean free path make steps of 0.21.
+// The paper's pattern is an approximation. These are its bounds on spheres, where the exact
+// exitance is known. Measured with dipole and marble, texels of a quarter or half a mean free path,
+// radii of 5 and 20 mm: 0.86 to 1.10 of the exact value, 3.7 % rms, steps of at most 0.14 between
+// pixels. Texels as long as a mean free path make steps of 0.21.
 
 #include <gtest/gtest.h>
 

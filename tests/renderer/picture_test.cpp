@@ -1,4 +1,5 @@
-// What the picture shows: output variables of an analytic sphere, coverage, the reflection on top.
+// What the picture shows: output variables of an analytic sphere, coverage, and the reflection on
+// top.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using namespace test;
 
 using PictureTest = RendererTest;
 
-/// Rays of a pinhole camera through pixels' centres, written anew from its description.
+/// Rays of a pinhole camera through pixels' centres, reimplemented from its description.
 class Rays {
  public:
   Rays(const Camera& camera, int width, int height) : width_(width), height_(height) {
@@ -57,7 +58,7 @@ std::optional<double> meet(const Vector& origin, const Vector& direction, const 
   return -b - std::sqrt(discriminant);
 }
 
-// Two spheres, one of them partly before the other.
+// Two spheres, one partly in front of the other.
 TEST_F(PictureTest, VariablesAreThoseOfTheAnalyticScene) {
   const std::array<Vector, 2> centres{{{0, 0, 0}, {4, 2, 4}}};
   const std::array<double, 2> radii{5, 2};
@@ -86,7 +87,7 @@ TEST_F(PictureTest, VariablesAreThoseOfTheAnalyticScene) {
       for (const Image& image : images) ASSERT_EQ(image.pixel(x, y)[3], covered ? 1 : 0);
       if (covered != nearest.has_value() ||
           (covered && images[3].pixel(x, y)[0] != static_cast<float>(object))) {
-        ++disagreements;  // pixels whose centre lies on an edge
+        ++disagreements;  // the pixel's centre lies on an edge
         continue;
       }
       if (!covered) continue;
@@ -94,7 +95,7 @@ TEST_F(PictureTest, VariablesAreThoseOfTheAnalyticScene) {
       const Vector point = rays.origin + *nearest * direction;
       const Vector normal = unit(point - centres[object]);
       const double facing = -dot(normal, direction);
-      if (facing < 0.2) continue;  // where polygons and sphere part along the ray
+      if (facing < 0.2) continue;  // polygons and sphere differ along the ray
       const double allowed = 2e-3 * radii[object] / facing;
       EXPECT_LT(length(toVector(images[0].pixel(x, y)) - point), allowed) << x << ' ' << y;
       EXPECT_LT(length(toVector(images[1].pixel(x, y)) - normal), 0.003 / facing) << x << ' ' << y;
@@ -140,7 +141,7 @@ TEST_F(PictureTest, CoverageIsPartialOnlyAtEdges) {
         if (alpha > 0 && alpha < 1) ++partial;
         area += static_cast<double>(alpha);
         exactArea += hits / 64.0;
-        // Not premultiplied: the edge is as bright as what lies beside it.
+        // Colours are not premultiplied: the edge is as bright as the pixels beside it.
         if (alpha > 0) {
           ASSERT_GT(image.pixel(x, y)[0], 0.1F);
         }
@@ -191,8 +192,8 @@ TEST_F(PictureTest, UniformEnvironmentIsAmbientLight) {
     ASSERT_NEAR(image.rgba[i], ambient.rgba[i], 2e-3F * ambient.rgba[i]);
 }
 
-// Nothing scatters back out of a black medium: what is left is the reflection, and with a lobe this
-// narrow that is Fresnel's.
+// Nothing scatters back out of a black medium, so only the reflection remains. With such a narrow
+// lobe it is Fresnel's.
 TEST_F(PictureTest, NarrowReflectionOfUniformLightIsFresnel) {
   Medium black{"black", {1e-4, 1e-4, 1e-4}, {50, 50, 50}, 1.5};
   Scene scene = sceneOf(sphere({0, 0, 0}, 5), black, {0, 0, 20}, 6);

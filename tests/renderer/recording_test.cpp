@@ -20,7 +20,7 @@ class FrameRecordingTest : public RendererTest {
     renderer().setScene(scene_);
   }
 
-  /// How often each frame of a film is recorded, two of them under way.
+  /// How often each frame of a film is recorded, with two of them under way.
   static std::vector<std::uint32_t> recordingsOf(View& view, int frames,
                                                  const std::function<void(int)>& before) {
     std::vector<std::uint32_t> recordings;
@@ -41,8 +41,8 @@ class FrameRecordingTest : public RendererTest {
   Scene scene_;
 };
 
-// The first frame differs from the others in where its images come from, so that the first slot is
-// recorded twice. A frame has two parts.
+// The first frame gets its images from elsewhere than the others, so the first slot is recorded
+// twice. A frame has two parts.
 const std::vector<std::uint32_t> ofFilm{2, 2, 2, 0, 0, 0, 0, 0};
 
 TEST_F(FrameRecordingTest, AFilmIsRecordedOncePerSlot) {
@@ -65,7 +65,7 @@ TEST_F(FrameRecordingTest, AFilmIsRecordedOncePerSlot) {
   }
 }
 
-// What is kept must be what the next frame would record.
+// A frame that is kept must equal what would be recorded.
 TEST_F(FrameRecordingTest, KeptFramesAreWhatNewOnesWouldBe) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
@@ -94,8 +94,8 @@ TEST_F(FrameRecordingTest, PositionsThatAreGivenAreRecordedApart) {
   for (std::size_t i = 3; i < recordings.size(); ++i) EXPECT_LE(recordings[i], 1U) << i;
 }
 
-// Each change, after frames enough that all is kept, gives the picture of a view that never saw
-// anything else, and so does the way back.
+// Each change, after enough frames that all is kept, gives the picture of a fresh view. So does
+// changing back.
 TEST_F(FrameRecordingTest, EveryChangeIsSeen) {
   using Change = std::function<void(RenderOptions&, FrameOrder&)>;
   const std::vector<Change> changes{
@@ -142,7 +142,7 @@ TEST_F(FrameRecordingTest, EveryChangeIsSeen) {
   }
 }
 
-// One point light has as many shadow maps as six lights from infinitely far away.
+// One point light has as many shadow maps as six directional lights.
 TEST_F(FrameRecordingTest, OtherLightsAreSeen) {
   Lighting six;
   for (int i = 0; i < 6; ++i)
@@ -161,7 +161,7 @@ TEST_F(FrameRecordingTest, OtherLightsAreSeen) {
     }
 }
 
-// Of a default frame of a ball whose triangles are halved that many times.
+// The report on a default frame of a ball whose triangles are halved `levels` times.
 RenderReport reportOf(const Medium& medium, int levels) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 6, levels), medium, {0, 3, 24}, 7);
   scene.lighting.directional = {{{0.6F, 0, 0.8F}, {1, 1, 1}}, {{-0.6F, 0, -0.8F}, {1, 1, 1}}};
@@ -181,8 +181,8 @@ RenderReport reportOf(const Medium& medium, int levels) {
   return view.report();
 }
 
-// Each waits for others or is waited for, some microseconds on a GPU: a default frame has no more
-// than 120 of either. Where light is summed at fragments, three rounds of sums take ten more.
+// Each command waits for others or is waited for, some microseconds on a GPU. A default frame has
+// at most 120 of each kind. Summing at fragments takes three rounds with ten more.
 TEST_F(FrameRecordingTest, ADefaultFrameHasFewCommands) {
   for (const Medium& medium : {marble(), skin()}) {
     const RenderReport atVertices = reportOf(medium, 5);
@@ -217,7 +217,7 @@ RenderReport reportOfBoxes(int edge) {
   return view.render().report;
 }
 
-// How much work lists have room for is a matter of each body, not of how many there are.
+// The room in work lists depends on each body, not on the number of bodies.
 TEST_F(FrameRecordingTest, ManyBodiesTakeNoMoreThanFewer) {
   const RenderReport fewer = reportOfBoxes(7);
   const RenderReport many = reportOfBoxes(11);

@@ -1,5 +1,5 @@
-// The nodes of the tree as the device makes them in every frame, against sums over all that is
-// below each in double precision.
+// The nodes of the tree as the device computes them in every frame, against sums in double
+// precision over everything below each.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ using shared::TreeNode;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-/// Surfels, three sources each, in the order of their tree.
+/// Surfels with three sources each, in the order of their tree.
 struct Lit {
   surfels::Tree tree;
   std::vector<Source> sources;
@@ -44,8 +44,8 @@ Vector placeOf(const Source& source) {
           static_cast<double>(source.positionArea.z)};
 }
 
-/// Scattered over three unit cubes, of which an object is made each; the sources follow their
-/// surfels by a hundredth, then move as `move` says.
+/// Surfels scattered over three unit cubes, each cube being one object. Sources lie within a
+/// hundredth of their surfels, then move as `move` says.
 template <typename FluxAt, typename Move>
 Lit scattered(std::size_t surfelsOfObject, const FluxAt& fluxAt, const Move& move) {
   std::mt19937 random(5);
@@ -130,7 +130,7 @@ std::span<const Source> sourcesBelow(const Lit& lit, std::uint32_t node) {
 struct Sums {
   Vector flux{};
   std::array<Vector, 3> centroids{};
-  Vector middle{};  // of all flux
+  Vector middle{};  // weighted by all flux
   std::array<Vector, 3> moments{};
 };
 
@@ -175,7 +175,7 @@ void RefitTest::expectSums(const Lit& lit) {
     for (const Source& source : sources)
       for (const Vector& centroid : found)
         furthest = std::max(furthest, length(placeOf(source) - centroid));
-    // Nothing is outside; the circles around the children's circles are not much larger.
+    // Circles contain everything, and those around the children's circles are not much larger.
     ASSERT_GE(static_cast<double>(node.radius), furthest * (1 - 1e-5)) << n;
     ASSERT_LE(static_cast<double>(node.radius), 2.5 * furthest) << n;
 
@@ -214,7 +214,7 @@ TEST_F(RefitTest, NodesAreTheSumsOfWhatIsBelow) {
         still));
 }
 
-// Far from the rest pose the tree is what it was there, and its nodes are still right.
+// Far from the rest pose the tree is the same, and its nodes are still right.
 TEST_F(RefitTest, NodesFollowTheSurfaceFarFromItsRestPose) {
   expectSums(scattered(
       3000,

@@ -1,4 +1,4 @@
-// What of the sky the reflection shows where the scene stands in its way.
+// The reflection of the sky where the scene is in its way.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using ReflectedSkyTest = RendererTest;
 
 constexpr double eta = 1.5;
 
-// Nothing scatters back out of it, so that there is nothing to see but the reflection.
+// Nothing scatters back out of it, so that only the reflection is visible.
 Medium black() {
   return {"black", {1e-6, 1e-6, 1e-6}, {1, 1, 1}, eta};
 }
@@ -58,8 +58,8 @@ RenderOptions mirror() {
   return options;
 }
 
-// Whether the ray that the floor mirrors there passes the wall; not near where that changes, nor
-// at the floor's edges, nor off it.
+// Whether the ray that the floor mirrors there misses the wall. None near a change, at the floor's
+// edges, or off the floor.
 std::optional<bool> mirrorsSky(const Vector& place, const Vector& toCamera) {
   if (std::abs(place[1]) > 1e-3 || std::max(std::abs(place[0]), std::abs(place[2])) > 4.5)
     return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<bool> mirrorsSky(const Vector& place, const Vector& toCamera) {
   return inside < 0;
 }
 
-// Every pixel of the floor has all of the sky's reflection or none.
+// Every pixel of the floor must have all of the sky's reflection or none.
 void expectWallMirrored(const Scene& scene, const std::vector<Image>& images) {
   std::array<int, 2> seen{};
   forEachCovered(images[1], [&](std::size_t i) {
@@ -99,7 +99,7 @@ TEST_F(ReflectedSkyTest, EndsWhereTheMirroredRayMeetsAWall) {
     }
 }
 
-// It has no surfels for rays to meet, and pays for none.
+// This method has no surfels for rays to meet, and spends no time on them.
 TEST_F(ReflectedSkyTest, IsWholeUnderTheMethodOf2008) {
   const Scene scene = floorAndWall(closedMesh());
   RenderOptions options = mirror();
@@ -138,15 +138,15 @@ TEST_F(ReflectedSkyTest, FollowsTheBodyAsItMoves) {
   const auto rest = at(0, true);
   const auto bent = at(1, true);
   EXPECT_FALSE(rest == bent);
-  // Light is found without the reflection first, and taken for the picture that has it.
+  // Light is found without the reflection first, and reused for the picture with it.
   static_cast<void>(at(0, false));
   EXPECT_TRUE(at(0, true) == rest);
   static_cast<void>(at(1, false));
   EXPECT_TRUE(at(1, true) == bent);
 }
 
-// Where the scene is mirrored it is taken to be as bright as the surface that mirrors it, M/π: what
-// gives back all light of an even sky then looks like that sky.
+// A mirrored part of the scene is taken to be as bright as the mirroring surface, M/π. A surface
+// that reflects all light of an even sky then looks like that sky.
 TEST_F(ReflectedSkyTest, TheSceneIsMirroredAsBrightAsTheSurface) {
   Scene scene = floorAndWall(openMesh());
   scene.objects.front().medium = {"white", {1, 1, 1}, {0.01, 0.01, 0.01}, eta};

@@ -13,8 +13,8 @@
 
 namespace opaline::test {
 
-/// The renderer of all tests of a process, opened at first use with the validation layer on, and
-/// what it said.
+/// The renderer of all tests in a process, created at first use with the validation layer on, and
+/// the messages of that layer.
 struct SharedRenderer {
   std::unique_ptr<Renderer> renderer;
   std::string reason;  ///< why there is none
@@ -37,7 +37,7 @@ struct SharedRenderer {
       reason = error.what();
     }
   }
-  /// Any message fails the running test.
+  /// Any message fails the current test.
   void reportMessages() {
     for (const std::string& message : std::exchange(messages, {})) ADD_FAILURE() << message;
   }
@@ -48,7 +48,7 @@ inline SharedRenderer& sharedRenderer() {
   return shared;
 }
 
-/// Closes the renderer after the last test, when the layer speaks of objects that were left behind.
+/// Destroys the renderer after the last test; the layer then reports objects that were left behind.
 class CloseSharedRenderer : public testing::Environment {
  public:
   void TearDown() override {
@@ -100,7 +100,7 @@ class RendererTestBase : public Base {
 
 using RendererTest = RendererTestBase<testing::Test>;
 
-/// Small pictures of everything, coarsely divided, by the transport whose values stand on paper.
+/// Small pictures with a coarse division, by the transport that has closed forms.
 inline RenderOptions smallOptions() {
   RenderOptions options;
   options.transport = Transport::Dipole;
@@ -114,7 +114,7 @@ inline RenderOptions smallOptions() {
   return options;
 }
 
-/// Divided as finely as those of users, where few surfels are not exact enough.
+/// Divided as finely as by default, where few surfels are not exact enough.
 inline RenderOptions finelyDivided(RenderOptions options) {
   options.maxSurfels = RenderOptions{}.maxSurfels;
   options.maxClusters = RenderOptions{}.maxClusters;

@@ -1,4 +1,4 @@
-// What the renderer refuses, and sizes at the edges of what it takes.
+// What the renderer refuses, and sizes at the limits of what it accepts.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ void expectSound(const std::vector<Image>& images, const std::string& what) {
       ASSERT_TRUE(std::isfinite(value) && value >= 0) << what << ": " << value;
 }
 
-/// Of the scene that is set, whoever carries the light and wherever it is summed.
+/// Checks the light of the current scene, for every transport and sum.
 void expectLightIsSound(const std::string& what) {
   for (const Transport transport : {Transport::Dipole, Transport::Boundary})
     for (const Site site : {Site::Vertex, Site::Fragment}) {
@@ -112,7 +112,7 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
     EXPECT_THROW(renderer().render(wrong[i]), UsageError) << i;
   const SceneTime times[] = {{.seconds = -1}, {.seconds = nan}, {.clip = 1}, {.clip = -2}};
   for (const SceneTime& time : times) EXPECT_THROW(renderer().setTime(time), UsageError);
-  EXPECT_EQ(render(smallOptions(), {Aov::Depth}).size(), 1U);  // and is none the worse for it
+  EXPECT_EQ(render(smallOptions(), {Aov::Depth}).size(), 1U);  // and still works afterwards
 }
 
 template <typename Change>
@@ -223,7 +223,7 @@ TEST_F(RobustnessTest, MotionThatMakesNoSenseIsRefused) {
     EXPECT_THROW(renderer().setScene(wrong[i]), Error) << i;
 }
 
-// 6 million deltas of 28 bytes are more than any device here reads from one buffer.
+// 6 million deltas of 28 bytes exceed what any device here can read from one buffer.
 TEST_F(RobustnessTest, ASceneThatDoesNotFitLeavesNone) {
   Scene scene = riggedBall();
   Rig& rig = *scene.objects[0].rig;
@@ -240,7 +240,7 @@ TEST_F(RobustnessTest, ASceneThatDoesNotFitLeavesNone) {
   EXPECT_NO_THROW(fresh.render(smallOptions(), {Aov::Depth}));
 }
 
-// A body that has shrunk to a point, or grown beyond what floats hold, is no NaN.
+// A body that has shrunk to a point, or grown beyond the range of floats, causes no NaN.
 TEST_F(RobustnessTest, MotionWithoutMeasureIsBorne) {
   Scene scene = riggedBall();
   for (const float scale : {0.0F, 1e-20F, 1e20F, 3e38F}) {
@@ -305,7 +305,7 @@ TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
   expectLightIsSound("triangles without area");
 }
 
-// What boundary transport has no inside for, or a hard one, and media at the ends of what there is.
+// Bodies without an inside or with a difficult one, and media at the limits of their range.
 TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
   for (const awkward::Shape& shape : awkward::all()) {
     if (shape.triangles.empty()) continue;
@@ -327,7 +327,7 @@ TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
     }
 }
 
-// Work groups list what pixels see in any order. What is found must not depend on it.
+// Work groups list what pixels see in any order. The result must not depend on it.
 TEST_F(RobustnessTest, TheSamePictureIsTheSameBitByBit) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 40), marble(), {0, 0, 160}, 45);
   scene.lighting.ambient = {0.5F, 0.4F, 0.3F};
@@ -342,7 +342,7 @@ TEST_F(RobustnessTest, TheSamePictureIsTheSameBitByBit) {
   for (int i = 0; i < 30; ++i) ASSERT_EQ(radiance(), first) << i;
 }
 
-// Every shared model, open and closed ones.
+// All shared models, open and closed.
 TEST_F(RobustnessTest, SharedModelsAreBorne) {
   const std::vector<fs::path> models = sharedModels();
   if (models.empty())

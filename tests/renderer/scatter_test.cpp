@@ -1,4 +1,4 @@
-// What leaves: exitance of spheres in uniform light, where every dipole has a closed form.
+// Light that leaves: exitance of spheres in uniform light, where every dipole has a closed form.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ using SphereCase = std::tuple<float, Transport, Site, Sum>;
 
 class SphereTest : public RendererTestBase<testing::TestWithParam<SphereCase>> {};
 
-// The tree's tolerance is a share of what the sources themselves may be off by.
+// The tree's tolerance is a share of the error that the sources themselves may have.
 TEST_P(SphereTest, SurfelsGiveTheClosedForm) {
   const auto [radiusMm, transport, site, sum] = GetParam();
   const bool large = radiusMm > 10;
@@ -68,7 +68,7 @@ TEST_P(SphereTest, SurfelsGiveTheClosedForm) {
     }
   });
   EXPECT_GT(covered, options.width * options.height / 2);
-  // The sphere of the vertices is coarser: its facets lie 0.3 % deep.
+  // The sphere through the vertices is coarser: facets lie 0.3 % below it.
   EXPECT_LT(std::sqrt(squares / covered), site == Site::Vertex ? 0.005 : 0.003);
 }
 
@@ -112,7 +112,7 @@ TEST_F(ScatterTest, RadianceIsWhatTheBoundaryLetsThrough) {
   }
 }
 
-// A ball in the umbra of another stays dark, whatever the other does.
+// A ball in the umbra of another stays dark, whatever the other emits.
 TEST_F(ScatterTest, SeparateObjectsDoNotLeakIntoEachOther) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 40, 1}, 12);
   scene.objects.push_back({"shaded", sphere({-8, 0, 0}, 2, 4), skin()});
@@ -140,7 +140,7 @@ TEST_F(ScatterTest, SeparateObjectsDoNotLeakIntoEachOther) {
     }
 }
 
-// Lengths times s, coefficients over s: the same body.
+// Lengths times s and coefficients over s give the same body.
 TEST_F(ScatterTest, PictureDoesNotDependOnTheUnitOfLength) {
   const auto scaled = [](float s) {
     Medium medium = skin();
@@ -186,7 +186,7 @@ TEST_F(ScatterTest, LightsAddUpInExitance) {
   }
   for (const std::vector<Image>& image : images)
     forEachCovered(image[2], [&](std::size_t i) {
-      for (std::size_t c = 0; c < 3; ++c)  // tens of thousands of terms in single precision
+      for (std::size_t c = 0; c < 3; ++c)  // sums of tens of thousands of terms in single precision
         ASSERT_NEAR(image[2].rgba[i + c] / (image[0].rgba[i + c] + image[1].rgba[i + c]), 1, 3e-5F);
     });
 }

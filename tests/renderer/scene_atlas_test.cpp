@@ -67,7 +67,7 @@ TEST(SceneAtlas, ItsPictureHasTheCharts) {
   std::map<Rgb, int> pixels;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
     ++pixels[{image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]}];
-  int ground = 0;  // more of it than of any triangle
+  int ground = 0;  // more pixels than any triangle has
   for (const auto& [color, count] : pixels) ground = std::max(ground, count);
   EXPECT_NEAR(static_cast<double>(ground) / (size * size), 1 - atlas.statistics.coverage, 0.06)
       << "but for the outlines";

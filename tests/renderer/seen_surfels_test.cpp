@@ -1,5 +1,5 @@
-// Aov::Surfels, against the division of the same mesh on the host: of every pixel's place the
-// nearest piece is looked for among all, in double precision.
+// Aov::Surfels against the host's division of the same mesh: for every pixel's place the nearest
+// piece is searched in double precision.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ RenderOptions optionsOf(Transport transport, Sum sum = Sum::Tree) {
   return options;
 }
 
-// A ball before a box with edges, far from the origin.
+// A ball in front of a box with edges, far from the origin.
 Scene ballAndBox() {
   Scene scene = sceneOf(sphere({0, 0, 0}, 4, 2), skin(), {2, 5, 26}, 9);
   scene.objects.push_back(scene.objects[0]);
@@ -68,7 +68,7 @@ double distanceToTriangle(const Vector& p, const std::array<Vector, 3>& t) {
   return inside ? std::abs(dot(p - t[0], normal)) : nearest;
 }
 
-/// The pieces of a division where the vertices lie.
+/// The pieces of a division at the current positions of the vertices.
 class Pieces {
  public:
   Pieces(const Division& division, const scene::MergedMesh& merged) : division_(division) {
@@ -115,7 +115,7 @@ struct SurfelRange {
   bool holds(const SurfelRange& other) const { return first <= other.first && other.end <= end; }
 };
 
-// Of a node: from the first leaf below it to the last.
+// The range of a node: from the first leaf below it to the last.
 SurfelRange rangeOf(const surfels::Tree& tree, std::uint32_t node) {
   const surfels::NodeLink link = surfels::linkOf(tree, node);
   if (link.leaf) return {link.first, link.first + link.count};
@@ -185,7 +185,7 @@ TEST_F(SeenSurfelsTest, SurfelsOfManyTrianglesToo) {
   expectTrue(render(scene, options, asked), division, Pieces(division, scene::mergedMesh(scene)));
 }
 
-// The division is that of the rest pose, wherever its vertices lie.
+// The division is that of the rest pose, wherever the vertices are.
 TEST_F(SeenSurfelsTest, FollowTheBodyAsItDeforms) {
   const Scene scene = ballAndBox();
   Scene moved = scene;
@@ -234,7 +234,7 @@ TEST_F(SeenSurfelsTest, NodesHoldTheSurfelAndWhatIsBelowThem) {
         EXPECT_EQ(range.first, division.surfels.firstOfObject[object]);
         EXPECT_EQ(range.end, division.surfels.firstOfObject[object + 1]);
       } else {
-        // A level down there is less, but where it was a leaf already.
+        // A level deeper the range is smaller, unless it was a leaf already.
         const SurfelRange parent = rangeOf(tree, static_cast<std::uint32_t>(above->rgba[i + 2]));
         EXPECT_TRUE(leaf || range.end - range.first < parent.end - parent.first);
       }
@@ -245,8 +245,7 @@ TEST_F(SeenSurfelsTest, NodesHoldTheSurfelAndWhatIsBelowThem) {
   }
 }
 
-// Whatever was rendered before: other methods, another division, light that is taken from the frame
-// before.
+// Whatever was rendered before: other methods, another division, or light that is reused.
 TEST_F(SeenSurfelsTest, ChangeFromFrameToFrame) {
   const Scene scene = ballAndBox();
   Scene harder = scene;

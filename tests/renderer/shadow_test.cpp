@@ -1,4 +1,4 @@
-// Shadows: they lie where geometry says, and surfaces do not shadow themselves.
+// Shadows lie where geometry says, and surfaces do not shadow themselves.
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ double outside(double x, double z, double half, double centreX) {
   return std::max(std::abs(x - centreX), std::abs(z)) - half;
 }
 
-// Checks a shadow on the floor y = 0. `unshadowed` gives E by position; the penumbra of the filter
-// is `blurMm` to either side of the edge of the shadow, whose distance `edge` gives.
+// Checks a shadow on the floor y = 0. `unshadowed` gives E by position, `edge` the distance to the
+// edge of the shadow. The filter's penumbra is `blurMm` to either side of it.
 void expectShadow(const Image& position, const Image& irradiance, double blurMm,
                   const std::function<double(const Vector&)>& unshadowed,
                   const std::function<double(const Vector&)>& edge) {
@@ -73,7 +73,7 @@ using ShadowTest = RendererTest;
 
 TEST_F(ShadowTest, OfADirectionalLightLiesWhereItShould) {
   const Vector toLight = unit({0.5, 1, 0});
-  // Once as an open sheet, once as a thin closed box.
+  // The occluder is an open sheet, then a thin closed box.
   for (const Mesh& occluder :
        {sheet({0, 10, 0}, {0, 0, 4}, {4, 0, 0}, 8), box({0, 10, 0}, {4, 0.05F, 4}, 8)}) {
     Scene scene = floorAnd(occluder);
@@ -93,7 +93,7 @@ TEST_F(ShadowTest, OfADirectionalLightLiesWhereItShould) {
     expectShadow(images[0], images[1], 2.5 * texelMm, unshadowed, edge);
     expectShadow(images[3], images[4], 2.5 * texelMm + 0.2, unshadowed, edge);
     const double area = shadowedAreaMm2(images[0], images[2], images[1], unshadowed);
-    EXPECT_NEAR(std::sqrt(area), 8, texelMm);  // half a texel an edge
+    EXPECT_NEAR(std::sqrt(area), 8, texelMm);  // half a texel per edge
   }
 }
 
@@ -113,10 +113,10 @@ TEST_F(ShadowTest, OfAPointLightLiesWhereItShould) {
   expectShadow(images[0], images[1], 2.5 * texelMm, unshadowed,
                [&](const Vector& p) { return outside(p[0], p[2], half, 0); });
   const double area = shadowedAreaMm2(images[0], images[2], images[1], unshadowed);
-  EXPECT_NEAR(std::sqrt(area), 2 * half, texelMm);  // half a texel an edge
+  EXPECT_NEAR(std::sqrt(area), 2 * half, texelMm);  // half a texel per edge
 }
 
-// By one view of its cone and by the six of a cube.
+// With a single view of the cone, and with the six of a cube.
 TEST_F(ShadowTest, OfASpotLightLiesWhereItShould) {
   const Vector light{0, 25, 0};
   for (const float outer : {40.0F, 60.0F}) {
@@ -159,10 +159,10 @@ TEST_F(ShadowTest, OfASpotLightLiesWhereItShould) {
   }
 }
 
-// A plane at steep incidence receives the closed form everywhere, whatever way it is turned.
+// A plane at grazing incidence has the closed form everywhere, however it is turned.
 TEST_F(ShadowTest, TiltedPlaneDoesNotShadowItself) {
   Scene scene = sceneOf(sheet({0, 0, 0}, {0, 0, 20}, {20, 0, 0}), marble(), {0, 80, 1}, 20);
-  // Makes the view of the light as large as that of a body that is not flat.
+  // Makes the view of the light as large as for a body that is not flat.
   scene.objects.push_back({"away", sheet({-25, 30, -25}, {0, 0, 1}, {1, 0, 0}, 1), marble()});
   for (const double degrees : {0.0, 45.0, 60.0, 70.0, 75.0, 80.0})
     for (const double azimuth : {0.2, 0.8, 1.4}) {
@@ -184,7 +184,7 @@ TEST_F(ShadowTest, TiltedPlaneDoesNotShadowItself) {
     }
 }
 
-// The faces of the cube around a point light hold depth along their axes, so a plane has a slope
+// The faces of the cube around a point light store depth along their axes, so a plane has a slope
 // there even where it faces the light.
 TEST_F(ShadowTest, PlaneDoesNotShadowItselfFromAPointLight) {
   Scene scene = sceneOf(sheet({0, 0, 0}, {0, 0, 20}, {20, 0, 0}), marble(), {0, 80, 1}, 20);

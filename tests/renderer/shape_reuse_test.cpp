@@ -76,7 +76,7 @@ std::vector<Change> changes() {
 
 using ShapeReuseTest = RendererTest;
 
-// The picture is, bit for bit, that of a renderer which finds everything.
+// The picture must equal bit by bit that of a renderer which computes everything.
 TEST_F(ShapeReuseTest, WhatALightDoesNotMoveIsKept) {
   for (const Change& change : changes()) {
     SCOPED_TRACE(change.name);
@@ -95,7 +95,8 @@ TEST_F(ShapeReuseTest, WhatALightDoesNotMoveIsKept) {
   }
 }
 
-// Of a medium whose light from everywhere is followed to its collisions, what it gives to clusters.
+// For a medium whose light from everywhere is followed to its collisions, the light that it gives
+// to clusters.
 TEST_F(ShapeReuseTest, WhatComesFromEverywhereIsKept) {
   Scene scene = wobblyBall();
   scene.objects[0].medium = skin();
@@ -110,7 +111,7 @@ TEST_F(ShapeReuseTest, WhatComesFromEverywhereIsKept) {
   EXPECT_EQ(kept.rgba, view.render().images[0].rgba);
 }
 
-// Views of one division have one shape.
+// Views with one division share one shape.
 TEST_F(ShapeReuseTest, AnotherViewMayHaveFoundIt) {
   renderer().setScene(wobblyBall());
   View first(renderer(), optionsOf(methods[0]));
@@ -125,7 +126,7 @@ TEST_F(ShapeReuseTest, AnotherViewMayHaveFoundIt) {
   EXPECT_EQ(second.render({.reuseLight = true}).images[0].rgba, whole.rgba);
 }
 
-// A clip that moves no vertex, and what of a frame it makes anew.
+// A clip that moves no vertex, and the parts of a frame that it recomputes.
 TEST_F(ShapeReuseTest, TimeThatMovesLightsOrTheCameraAloneKeepsTheShape) {
   Scene scene = wobblyBall();
   scene.deformers.clear();

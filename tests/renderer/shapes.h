@@ -7,7 +7,7 @@
 
 namespace opaline::test {
 
-/// Vectors of the tests' own arithmetic, in double precision.
+/// Vectors for the tests' own arithmetic, in double precision.
 using Vector = std::array<double, 3>;
 
 inline Vector toVector(const float* v) {
@@ -42,19 +42,19 @@ inline Vec3 toVec3(const Vector& v) {
 }
 
 /// An icosahedron whose triangles are halved `levels` times and projected, with smooth normals:
-/// 20·4^levels triangles, 10·4^levels + 2 vertices. With 5 levels no point is further than 0.03 %
-/// of the radius below the sphere.
+/// 20·4^levels triangles, 10·4^levels + 2 vertices. With 5 levels no point is more than 0.03 % of
+/// the radius below the sphere.
 Mesh sphere(const Vec3& centreMm, float radiusMm, int levels = 5);
 
-/// An open sheet that is the square with this centre and half edges, seen and lit from the side of
-/// the cross product of the half edges; cells² squares.
+/// An open square sheet with this centre and half edges, of cells² squares. Its front is on the
+/// side of the half edges' cross product.
 Mesh sheet(const Vec3& centreMm, const Vec3& halfU, const Vec3& halfV, int cells = 24);
 
-/// A closed box with flat normals, cells² squares a side.
+/// A closed box with flat normals, of cells² squares a side.
 Mesh box(const Vec3& centreMm, const Vec3& halfMm, int cells = 16);
 
 /// A surface in two parts: the triangles whose middle lies beyond the plane through the origin
-/// across a direction, and the others. Their borders lie upon each other.
+/// perpendicular to a direction, and the others. Their borders coincide.
 std::array<Mesh, 2> halvesOf(const Mesh& mesh, const Vector& direction);
 
 /// The surface of two meshes.
@@ -64,8 +64,8 @@ Mesh together(const Mesh& a, const Mesh& b);
 Medium marble();
 Medium skin();
 
-/// A scene of one object, without light, seen from `cameraMm`; the field of view holds a ball of
-/// radius `reachMm` around the origin.
+/// A scene of one object, without light, seen from `cameraMm`. A ball of radius `reachMm` around
+/// the origin fits the field of view.
 Scene sceneOf(const Mesh& mesh, const Medium& medium, const Vec3& cameraMm, float reachMm);
 
 }  // namespace opaline::test

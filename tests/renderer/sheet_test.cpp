@@ -1,4 +1,4 @@
-// Open opaque surfaces, whose two sides see different light, and what goes through them.
+// Open opaque surfaces, whose sides see different light, and light that goes through them.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 constexpr float halfMm = 10;
 
-/// Black below the horizon.
+/// Light from above the horizon only.
 std::shared_ptr<const Image> skyAbove(float radiance, int height = 32) {
   Image image(2 * height, height);
   for (int y = 0; y < height / 2; ++y)
@@ -42,7 +42,7 @@ class SheetTest : public RendererTest {
 
   int maxSurfels_ = 8192;
 
-  // Level and white, with its front up.
+  // A white horizontal sheet with its front up.
   static Object level(float heightMm, float half = halfMm) {
     Object object{.name = "sheet",
                   .mesh = sheet({0, heightMm, 0}, {0, 0, half}, {half, 0, 0}),
@@ -86,7 +86,7 @@ TEST_F(SheetTest, ItsUpperSideSeesTheSkyAndItsLowerSideWhatIsBelow) {
   }
 }
 
-// Nor do lamps of either kind shine on the side that is turned from them.
+// Lamps of either kind do not light the side that faces away.
 TEST_F(SheetTest, LampsShineOnOneSideAlone) {
   Scene scene = seen({level(0)}, {0, 40, 0});
   scene.lighting.directional = {{{0, 1, 0}, {1, 0, 0}}};
@@ -102,7 +102,7 @@ TEST_F(SheetTest, LampsShineOnOneSideAlone) {
   }
 }
 
-// A square that faces another, over its middle (Howell, B-4, four times).
+// A square facing another, over its middle (Howell, B-4, four times).
 TEST_F(SheetTest, ARedFloorShinesOnItsLowerSideAlone) {
   Object floor = level(-5);
   floor.opaque = mattMaterial({0, 0, 0});
@@ -120,8 +120,8 @@ TEST_F(SheetTest, ARedFloorShinesOnItsLowerSideAlone) {
   EXPECT_NEAR(double{irradiance(scene).pixel(16, 16)[0]}, 0, 1e-3);
 }
 
-// Which way its triangles go round makes no difference to what it sends to others: of the sky, of
-// lamps on either side of it, and of what comes back.
+// The orientation of its triangles does not matter for the light that it sends to others: light of
+// the sky, of lamps on either side, and what returns.
 TEST_F(SheetTest, TurnedOverItIsTheSame) {
   const auto sky = skyAbove(0.3F);
   const auto irradiances = [&](bool turned, const Vec3& camera) {
@@ -179,8 +179,8 @@ class TransmissionTest : public SheetTest {
   }
 };
 
-// Lambert's law: of E, (1 - t) times the base colour leaves the side that the lamp is on, and t
-// times the colour of transmission the other.
+// Lambert's law: of E, (1 - t) times the base colour leaves on the lamp's side, and t times the
+// transmission's colour on the other.
 TEST_F(TransmissionTest, LightOfALampLeavesBothSides) {
   for (const bool turned : {false, true}) {
     Object sheet = leafAt(0, leaf({0.5F, 0.25F, 1}, 0.4F, {0.25F, 1, 0.5F}));
@@ -198,7 +198,7 @@ TEST_F(TransmissionTest, LightOfALampLeavesBothSides) {
   }
 }
 
-// What the dielectric layer mirrors towards the camera is taken from both.
+// Light that the dielectric layer mirrors towards the camera is deducted from both.
 TEST_F(TransmissionTest, RadianceIsThatOfTheExitanceLessTheMirror) {
   Scene scene = seen({leafAt(0, leaf({0, 0, 0}, 1, {1, 1, 1}))}, {0, -40, 0});
   scene.lighting.directional = {{{0, 1, 0}, {1, 1, 1}}};
@@ -224,7 +224,7 @@ TEST_F(TransmissionTest, LightOfTheSkyAndOfAreaLightsGoesThrough) {
     expectMiddle(irradiance(scene, site), {0.5 * disc, 0.25 * disc, 0}, 0.02);
 }
 
-// The factor is multiplied by alpha, the colour by a picture in sRGB, in which .7354 is a half.
+// The factor is multiplied by alpha, the colour by a picture in sRGB, where 0.7354 means a half.
 TEST_F(TransmissionTest, TexturesVaryShareAndColor) {
   const auto texel = [](const std::array<std::uint16_t, 4>& rgba) {
     Texture texture;
@@ -244,8 +244,8 @@ TEST_F(TransmissionTest, TexturesVaryShareAndColor) {
   expectMiddle(irradiance(scene), {0.75, 0.75, 0.75}, 0.002);
 }
 
-// A roof that mirrors nothing, in the light of a lamp above, shines on a dark floor in its shadow
-// as a luminous square does (Howell, B-4, four times).
+// A roof that mirrors nothing, lit by a lamp above, lights the dark floor in its shadow like a
+// luminous square (Howell, B-4, four times).
 TEST_F(TransmissionTest, WhatGoesThroughLightsOthers) {
   Object floor = level(-5, 1);
   floor.opaque = mattMaterial({0.01F, 0.01F, 0.01F});
@@ -258,7 +258,7 @@ TEST_F(TransmissionTest, WhatGoesThroughLightsOthers) {
   expectMiddle(irradiance(scene), {expected, 0.5 * expected, 0.25 * expected}, 0.03);
 }
 
-// A closed paper lantern, white: whatever light goes in comes out.
+// A closed white paper lantern: all light that goes in comes out.
 TEST_F(TransmissionTest, AWhiteLanternLosesNoLight) {
   for (const float through : {0.5F, 0.8F}) {
     Scene scene = seen({ball(leaf({1, 1, 1}, through, {1, 1, 1}))}, {0, 0, 60});
