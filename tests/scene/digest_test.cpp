@@ -17,7 +17,7 @@ std::uint64_t digestOfText(std::string_view text) {
   return digestOf(std::as_bytes(std::span(text.data(), text.size())));
 }
 
-// Fowler, Noll and Vo's own test vectors.
+// The test vectors of Fowler, Noll and Vo.
 TEST(Digest, IsTheirs) {
   EXPECT_EQ(digestOfText(""), 0xcbf29ce484222325U);
   EXPECT_EQ(digestOfText("a"), 0xaf63dc4c8601ec8cU);

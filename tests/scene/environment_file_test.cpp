@@ -12,18 +12,18 @@ namespace {
 TEST(EnvironmentFile, TurnsWholeColumnsExactly) {
   Image image(4, 1);
   for (int x = 0; x < 4; ++x) image.pixel(x, 0)[0] = static_cast<float>(x);
-  // The columns look to +z/-x, -x/-z, -z/+x and +x/+z; a quarter turn takes -z to -x.
+  // The columns face +z/-x, -x/-z, -z/+x and +x/+z; a quarter turn takes -z to -x.
   const Image quarter = turned(image, 90);
   for (int x = 0; x < 4; ++x) EXPECT_EQ(quarter.pixel(x, 0)[0], static_cast<float>((x + 1) % 4));
   for (const double whole : {0.0, 360.0, -720.0}) {
     EXPECT_EQ(turned(image, whole).rgba, image.rgba);
   }
   EXPECT_EQ(turned(image, -270).rgba, quarter.rgba);
-  // Half a column: the mean of neighbours.
+  // Turned by half a column, each pixel is the mean of neighbours.
   EXPECT_FLOAT_EQ(turned(image, 45).pixel(3, 0)[0], 1.5F);
 }
 
-// Light from d shines from R d after the turn, R about +y by the right-hand rule.
+// After the turn, light from d comes from R d, where R rotates about +y by the right-hand rule.
 TEST(EnvironmentFile, TurnsAboutTheVerticalAxis) {
   constexpr int width = 256;
   constexpr int height = 8;

@@ -41,7 +41,7 @@ TEST(Framing, OfABoxIsOfItsNearestFace) {
   }
 }
 
-// The planes of the frustum touch it at right angles to its radius.
+// The frustum's planes touch the sphere at right angles to its radius.
 TEST(Framing, OfASphereTouchesTheFrustum) {
   const Camera camera = cameraAt({40, 50, -20}, 30);
   for (const double aspect : {0.5, 1.0, 2.0}) {
@@ -70,7 +70,7 @@ TEST(Framing, LooksStraightDownToo) {
   EXPECT_NEAR(distanceOf(framing), 5, 1e-6);
 }
 
-// A point at the picture's edge stays there: 1 above the target of a picture that reaches from 0.4
+// A point at the picture's edge stays there: 1 above the target, in a picture that spans from 0.4
 // of its half height below the target to 1.6 above.
 TEST(Framing, KnowsShifts) {
   Camera camera = cameraAt({1, 2, 90}, 90);

@@ -14,8 +14,9 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A scene of several models: cube.obj of edge 1, without a unit, and walker.glb, a tetrahedron of
-/// corner (0,0,0) and legs of 1 m that walks along x, with a point light 2 m above that corner.
+/// A scene of several models: cube.obj of edge 1, without a unit, and walker.glb. The latter is a
+/// tetrahedron with a corner at (0,0,0) and legs of 1 m. It walks along x, with a point light 2 m
+/// above that corner.
 class Joined : public testing::Test {
  protected:
   Joined() {
@@ -68,7 +69,7 @@ void expectNear(const Vec3& a, const Vec3& b, double tolerance) {
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(a[axis], b[axis], tolerance);
 }
 
-// Edges of 10 and 20 mm, the second turned from x to -z and moved.
+// Edges of 10 and 20 mm; the second cube is turned from x to -z and moved.
 TEST_F(Joined, EachModelStandsWhereItsTableSays) {
   const LoadedScene loaded = load(R"(
 medium = "jade"
@@ -93,7 +94,7 @@ translation_mm = [100, 0, 5]
   expectNear(boundsOfObject(loaded.scene, 1).maxMm, {120, 20, 5}, 1e-4);
 }
 
-// glTF is in metres; an OBJ without a size of its own gets 50 mm.
+// glTF is in metres. An OBJ without its own size gets 50 mm.
 TEST_F(Joined, ManyOfOneNameAreNumberedAndTheirNotesSaidOnce) {
   std::string text = "[[models]]\nfile = 'cube.obj'\n";
   for (const std::string x : {"9", "18", "27"})
@@ -158,7 +159,7 @@ transform = [0.5, 0, 0, 3000,  0, 0.5, 0, 0,  0, 0, 0.5, 0,  0, 0, 0, 1]
   ASSERT_EQ(lights.size(), 2U);
   expectNear(lights[0].positionMm, {0, 2000, 0}, 1e-2);
   expectNear(lights[1].positionMm, {3000, 1000, 0}, 1e-2);
-  // Half as far, a quarter as strong: as bright on the smaller body.
+  // Half as far and a quarter as strong, a light is as bright on the smaller body.
   EXPECT_NEAR(lights[1].intensity[0], lights[0].intensity[0] / 4, 1e-5 * lights[0].intensity[0]);
 }
 

@@ -20,10 +20,10 @@ struct Expected {
   std::size_t triangles;
   std::size_t vertices;
   std::optional<MeshFacts> facts;
-  std::size_t duplicates = 0;  ///< vertices of the file that agree in every attribute
+  std::size_t duplicates = 0;  ///< vertices of the file that equal another in every attribute
 };
 
-// Counts and topology as the models' own README gives them.
+// Counts and topology from the models' own README.
 const Expected expected[] = {
     {"teapot.ply", 2256, 1177, {{false, 6, 3}}},
     {"teapot.obj", 2256, 1177, {{false, 6, 3}}},
@@ -126,7 +126,7 @@ TEST(SharedModels, TurnedInsideOutAreTurnedBack) {
     const Scene straight = loadScene(*folder / name);
     const Scene mended = loadScene(temporary / "turned.obj");
     EXPECT_EQ(test::countOf(mended.repairs, "inward orientation"), 2256U);
-    // The order of vertices differs.
+    // The order of vertices may differ.
     std::map<Vec3, Vec3> normalAt;
     const Mesh& mesh = straight.objects[0].mesh;
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {

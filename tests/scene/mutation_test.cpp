@@ -11,8 +11,8 @@
 #include "scene/gltf/glb.h"
 #include "scene/shapes.h"
 
-// Damaged files either load, and then soundly, or are refused with an Error. The seed is fixed;
-// OPALINE_MUTATIONS sets how many are tried per format.
+// Damaged files either load as sound scenes, or are refused with an Error. The seed is fixed;
+// OPALINE_MUTATIONS sets the number of mutations per format.
 
 namespace opaline {
 namespace {
@@ -75,7 +75,7 @@ std::string seedGlb() {
   return test::glb(json, binary);
 }
 
-/// Two clips of all interpolations move a skinned and a morphed mesh.
+/// Two clips with all interpolations move a skinned and a morphed mesh.
 std::string seedAnimation() {
   const std::string json =
       R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"skin":0},{"children":[2]},{"mesh":1,)"
@@ -102,7 +102,7 @@ std::string seedAnimation() {
   return test::glb(json, binary + test::raw<float>({0, 1, 0, 0, 0.5F, 1, 1, 1}));
 }
 
-/// The tetrahedron of seedGlb(), compressed by both kinds of extension.
+/// The tetrahedron of seedGlb(), compressed by both extensions.
 std::string seedMeshopt() {
   const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};

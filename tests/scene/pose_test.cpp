@@ -59,7 +59,7 @@ TEST(Pose, TimeBeyondTheEndIsTakenModuloTheLength) {
   EXPECT_NEAR(translationX(scene, 7), 30, 1e-12);
   EXPECT_EQ(translationX(scene, 8), 10);  // 8 mod 4 is 0, before the first key
   EXPECT_NEAR(translationX(scene, 4003), 30, 1e-12);
-  // Another track makes the clip longer: the last key's value stands until then.
+  // Another track makes the clip longer; until then the last key's value holds.
   scene.clips[0].seconds = 10;
   EXPECT_EQ(translationX(scene, 9), 40);
   EXPECT_EQ(translationX(scene, 10), 40);
@@ -73,7 +73,7 @@ TEST(Pose, AClipWithoutLengthStands) {
   EXPECT_EQ(translationX(scene, INFINITY), 7);
 }
 
-/// With exact tangents the Hermite curve is the cubic itself: x = t³ − 2t² + 3t + 5.
+/// With exact tangents the Hermite curve reproduces the cubic x = t³ − 2t² + 3t + 5.
 TEST(Pose, CubicSplinesReproduceACubic) {
   const auto x = [](double t) { return t * t * t - 2 * t * t + 3 * t + 5; };
   const auto slope = [](double t) { return 3 * t * t - 4 * t + 3; };
@@ -88,8 +88,8 @@ TEST(Pose, CubicSplinesReproduceACubic) {
   EXPECT_NEAR(translationX(scene, 0), x(0.5), 1e-5);
 }
 
-/// In- and out-tangents of one key differ: the in-tangent of the second key and the out-tangent of
-/// the first count. With values 0, tangents 1 and length 2 the middle is (t³−2t²+t)·2·1 = ¼ from
+/// In- and out-tangents of a key differ. The in-tangent of the second key and the out-tangent of
+/// the first count. With values 0, tangents 1 and length 2, the middle is (t³−2t²+t)·2·1 = ¼ from
 /// the first and (t³−t²)·2·1 = −¼ from the second.
 TEST(Pose, CubicSplinesTakeTheTangentsThatFaceTheInterval) {
   const auto middle = [](float outOfFirst, float intoSecond) {
@@ -108,7 +108,7 @@ Scene turning(Interpolation interpolation, std::vector<float> values) {
   return oneNode({0, TrackTarget::Rotation, interpolation, {0, 1}, std::move(values)}, 1);
 }
 
-/// Where the x axis points, as an angle about +z.
+/// The direction of the x axis, as an angle about +z.
 double angleOfX(const Scene& scene, double seconds) {
   const Double3 x = poseOf(scene, seconds).world[0].column[0];
   EXPECT_NEAR(length(x), 1, 1e-6);
@@ -116,7 +116,7 @@ double angleOfX(const Scene& scene, double seconds) {
 }
 
 TEST(Pose, RotationsTurnAtConstantSpeed) {
-  // No turn to a quarter turn about z.
+  // From no rotation to a quarter turn about z.
   const Scene scene = turning(Interpolation::Linear, {0, 0, 0, 1, 0, 0, root, root});
   for (const double t : {0.0, 0.1, 0.25, 0.5, 0.8, 1.0}) {
     EXPECT_NEAR(angleOfX(scene, t), t * std::numbers::pi / 2, 1e-6);
@@ -144,7 +144,7 @@ TEST(Pose, RotationsStep) {
 }
 
 TEST(Pose, CubicRotationsAreNormalised) {
-  // Zero tangents: the middle is half of both, (0, 0, ½ root, ½ + ½ root), an eighth of a turn.
+  // With zero tangents the middle is half of both: (0, 0, ½ root, ½ + ½ root), an eighth of a turn.
   const Scene scene =
       turning(Interpolation::CubicSpline, {0, 0, 0, 0, 0, 0, 0,    1,    0, 0, 0, 0,  //
                                            0, 0, 0, 0, 0, 0, root, root, 0, 0, 0, 0});
@@ -176,8 +176,8 @@ TEST(Pose, ScaleAndWeightsAreTracksToo) {
 TEST(Pose, CubicWeightsReadTheirOwnTangents) {
   Scene scene = oneNode({0, TrackTarget::MorphWeights, Interpolation::CubicSpline, {0, 1}, {}}, 1);
   scene.nodes[0].morphWeights = {0, 0};
-  // Per key: two in-tangents, two values, two out-tangents. Out-tangent 8 of the second weight:
-  // 8·(t³−2t²+t) = 1 in the middle.
+  // Per key: two in-tangents, two values, two out-tangents. The second weight has the out-tangent
+  // 8, and 8·(t³−2t²+t) = 1 in the middle.
   scene.clips[0].tracks[0].values = {0, 0, 0, 0, 0, 8, 0, 0, 1, 0, 0, 0};
   const Pose pose = poseOf(scene, 0.5);
   EXPECT_FLOAT_EQ(pose.weights[0], 0.5F);
@@ -192,7 +192,7 @@ TEST(Pose, WhatAClipLeavesOutStaysAsTheFileHasIt) {
   expectVector(pose.world[0].column[0], {0, 2, 0});
   expectVector(pose.world[0].column[1], {-3, 0, 0});
   expectVector(pose.world[0].column[3], {40, 0, 0});
-  // The pose of one time leaves nothing behind.
+  // Earlier poses leave nothing behind.
   Pose again = poseOf(scene, 4);
   poseAt(scene, -1, 0, again);
   expectVector(again.world[0].column[3], {0, 0, 0});

@@ -11,7 +11,7 @@
 namespace opaline::test {
 namespace {
 
-/// Numbers that are awkward to print: any mantissa, sizes over many powers of ten.
+/// Numbers that are awkward to print: any mantissa, over many powers of ten.
 class Numbers {
  public:
   explicit Numbers(unsigned seed) : random_(seed) {}

@@ -10,7 +10,7 @@ namespace opaline::test {
 /// A small environment.
 Image sky();
 
-/// The model with everything that a scene can have besides, at random, and awkward to print; its
+/// The model with random, awkwardly printable values of everything else that a scene can have. Its
 /// environment is sky(), written to that file.
 LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
                         const std::filesystem::path& skyFile);

@@ -25,7 +25,7 @@ Scene lit() {
   return scene;
 }
 
-// Twice as far, a point has to be four times as strong; what has a radiance stays as bright.
+// At twice the distance a point must be four times as strong; a radiance stays the same.
 TEST(ScaledLights, KeepTheIrradianceOfBodiesThatGrewAlike) {
   Scene scene = lit();
   scaleLightsAndCamera(2, scene);

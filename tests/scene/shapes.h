@@ -12,7 +12,7 @@
 
 namespace opaline::test {
 
-/// The surface of [0,1]³ plus an offset: 8 vertices, 12 triangles, outwards.
+/// The surface of [0,1]³ plus an offset: 8 vertices, 12 triangles, facing outwards.
 inline scene::RawMesh cube(const Vec3& at = {0, 0, 0}, float edge = 1) {
   scene::RawMesh mesh;
   for (unsigned i = 0; i < 8; ++i) {
@@ -33,7 +33,7 @@ inline void append(scene::RawMesh& mesh, const scene::RawMesh& other) {
   }
 }
 
-/// Every triangle with three vertices of its own.
+/// The mesh with three separate vertices per triangle.
 inline scene::RawMesh soup(const scene::RawMesh& mesh) {
   scene::RawMesh result;
   for (const Triangle& t : mesh.triangles) {
@@ -48,7 +48,7 @@ inline void turn(Triangle& t) {
   std::swap(t[1], t[2]);
 }
 
-/// Divergence theorem.
+/// Volume by the divergence theorem.
 inline double signedVolume(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles) {
   double sum = 0;
   for (const Triangle& t : triangles) {
@@ -62,11 +62,12 @@ inline double signedVolume(const std::vector<Vec3>& p, const std::vector<Triangl
   return sum / 6;
 }
 
-/// The edges with more than two triangles or two that run the same way, by vertex index.
+/// Counts the edges with more than two triangles, or with two that run the same way, by vertex
+/// index.
 std::size_t badEdges(const std::vector<Triangle>& triangles);
 
-/// Every index in range, positions and normals finite, normals of unit length, no empty object;
-/// nodes, tracks and rigs fit each other.
+/// Expects valid indices, finite positions and normals, unit normals, no empty object, and
+/// consistent nodes, tracks and rigs.
 void expectSound(const Scene& scene);
 
 inline std::size_t countOf(const std::vector<Repair>& repairs, const std::string& what) {

@@ -25,12 +25,12 @@ class GltfAnimation : public testing::Test {
   GltfAnimation() {
     position = b.vectors(tetrahedronCorners);
     index = b.add(tetrahedronFaces, "SCALAR", 1);
-    // Outwards from the middle, more or less.
+    // Roughly outwards from the middle.
     normal = b.vectors({-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     mesh("");
     times = b.scalars({0, 2});
   }
-  /// With normals; `more` are further attributes, `tail` what stands beside them.
+  /// A mesh with normals; `more` adds attributes, `tail` members beside them.
   void mesh(const std::string& attributes, const std::string& tail = "") {
     b.meshes = fmt::format(
         R"({{"primitives":[{{"attributes":{{"POSITION":{},"NORMAL":{}{}}},"indices":{}{}}}]}})",
@@ -110,7 +110,7 @@ TEST_F(GltfAnimation, ParentsComeFirst) {
   EXPECT_EQ(scene.nodes[1].parent, 0);
   EXPECT_EQ(scene.nodes[2].parent, 1);
   EXPECT_EQ(scene.clips[0].tracks[0].node, 1U);
-  ASSERT_TRUE(scene.objects[0].rig);  // a node above it moves
+  ASSERT_TRUE(scene.objects[0].rig);  // one of its ancestors moves
   EXPECT_EQ(scene.objects[0].rig->node, 2U);
 }
 
@@ -152,7 +152,7 @@ TEST_F(GltfAnimation, WeightsAreNormalisedIntegersToo) {
   EXPECT_EQ(rig.targets[1].normals.size(), 4U);
 }
 
-/// Sparse: all four offsets are zero but the third.
+/// Sparse: all four offsets are zero except the third.
 TEST_F(GltfAnimation, TargetsMayBeSparse) {
   const int places = b.add<std::uint16_t>({2}, "SCALAR", 1);
   const int values = b.vectors({7, 8, 9});
@@ -171,7 +171,7 @@ TEST_F(GltfAnimation, TargetsMayBeSparse) {
 }
 
 TEST_F(GltfAnimation, SkinsKeepJointsAndSumTheirWeightsToOne) {
-  // Two sets of influences, of 8 and of 16 bits; the node of the mesh is far away.
+  // Two sets of influences, of 8 and of 16 bits. The mesh's own node is far away.
   const int joints0 =
       b.add<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}, "VEC4", 4);
   const int weights0 = b.add<std::uint8_t>({255, 0, 0, 0, 51, 0, 0, 0, 51, 51, 0, 0, 0, 0, 0, 0},
@@ -225,7 +225,7 @@ TEST_F(GltfAnimation, WithoutNormalsTheMeshIsFacetted) {
   }
 }
 
-/// Unused, double and inside-out parts are mended; the rig follows every step.
+/// Unused, duplicate and inside-out parts are repaired; the rig follows every step.
 TEST_F(GltfAnimation, RigsFollowRepairs) {
   // Vertices: an unused one, then two copies of the tetrahedron's, all faces inside out.
   std::vector<float> positions{9, 9, 9};
@@ -257,14 +257,14 @@ TEST_F(GltfAnimation, RigsFollowRepairs) {
       EXPECT_FLOAT_EQ(1000 * rig.positions[v][axis], object.mesh.positionsMm[v][axis]);
       EXPECT_FLOAT_EQ(10 * rig.positions[v][axis], rig.targets[0].positions[v][axis]);
       EXPECT_NEAR(rig.normals[v][axis], object.mesh.normals[v][axis], 1e-6F);
-      // The file's offsets of the normals are its normals: they turn as these do.
+      // The file's offsets of normals equal its normals, so they must turn with them.
       EXPECT_GE(rig.normals[v][axis] * rig.targets[0].normals[v][axis], 0);
     }
   }
 }
 
 TEST_F(GltfAnimation, VerticesThatMoveApartStayTwo) {
-  // The first corner twice, with another offset each.
+  // The first corner twice, each time with another offset.
   std::vector<float> positions = tetrahedronCorners;
   positions.insert(positions.end(), {0, 0, 0});
   position = b.vectors(positions);
@@ -363,7 +363,7 @@ TEST_F(GltfAnimation, RigsThatLieAreErrors) {
   mesh("", fmt::format(R"(,"targets":[{{"POSITION":{}}}])", broken));
   swell();
   EXPECT_THAT(error(), HasSubstr("not finite"));
-  // Two primitives, one without targets.
+  // Two primitives, one of them without targets.
   b = before;
   b.meshes = fmt::format(
       R"({{"primitives":[{{"attributes":{{"POSITION":{0}}},"indices":{1},)"
@@ -377,14 +377,14 @@ TEST_F(GltfAnimation, RigsThatLieAreErrors) {
   EXPECT_THAT(error(), HasSubstr("out of range"));
 }
 
-/// Few vertices that many flat triangles name over and over, times many targets.
+/// Few vertices that many flat triangles name over and over, with many targets.
 TEST_F(GltfAnimation, BlownUpTargetsAreRefusedBeforeMemoryIs) {
   constexpr std::uint16_t count = 64;
   constexpr int targetCount = 500;
   std::vector<float> points;
   for (int v = 0; v < count; ++v) {
     const auto x = static_cast<float>(v);
-    points.insert(points.end(), {x, x * x, x * x * x});  // no three in a line
+    points.insert(points.end(), {x, x * x, x * x * x});  // no three on a line
   }
   std::vector<std::uint16_t> corner;
   for (std::uint16_t i = 0; i < count; ++i) {

@@ -12,7 +12,7 @@
 
 namespace opaline::test {
 
-/// A binary glTF with animations, put together accessor by accessor.
+/// A binary glTF with animations, assembled accessor by accessor.
 class GltfBuilder {
  public:
   template <typename T>
@@ -31,7 +31,7 @@ class GltfBuilder {
   int vectors(const std::vector<float>& v) { return add(v, "VEC3", 3); }
   int quaternions(const std::vector<float>& v) { return add(v, "VEC4", 4); }
 
-  /// "name":{samplers, one channel each}.
+  /// Adds an animation "name" with samplers of one channel each.
   void animate(const std::string& name, const std::vector<std::string>& samplers,
                const std::vector<std::string>& targets) {
     std::vector<std::string> channels;

@@ -12,7 +12,7 @@
 #include "scene/gltf/gltf_fixture.h"
 #include "scene/shapes.h"
 
-// What clips change beside nodes: lights, cameras and materials.
+// What clips change besides nodes: lights, cameras and materials.
 
 namespace opaline {
 namespace {
@@ -86,7 +86,7 @@ TEST_F(GltfChanges, LightsFollowTheirNodes) {
   EXPECT_NEAR(spot.direction[1], std::sin(angle), 1e-4);
   EXPECT_NEAR(spot.direction[2], -std::cos(angle), 1e-4);
   EXPECT_EQ(spot.intensity, scene.lighting.spots[0].intensity);
-  // Times go on from the beginning, and without a clip it stands where the file has it.
+  // Times continue from the beginning. Without a clip, lights stand as in the file.
   EXPECT_EQ(lightingAt(scene, 2.5).spots, lightingAt(scene, 0.5).spots);
   Lighting none = scene.lighting;
   scene::takeLightsAt(scene, {0.5, -1}, none);

@@ -1,4 +1,4 @@
-// One model as other programs compress it: gltfpack and glTF-Transform.
+// One model as compressed by other programs: gltfpack and glTF-Transform.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,7 @@ std::vector<Vec3> sortedPositions(const Scene& scene) {
   return all;
 }
 
-/// The largest distance from a point to the nearest of others, infinite where that is beyond
-/// `reach`.
+/// The largest distance from a point to the nearest of the others; infinite if beyond `reach`.
 double farthest(const std::vector<Vec3>& from, const std::vector<Vec3>& sorted, float reach) {
   double largest = 0;
   for (const Vec3& p : from) {
@@ -50,12 +49,11 @@ struct Expected {
   const char* name;
   const char* file;
   double stepMm;           ///< of quantized positions
-  double mostSteps = 0.5;  ///< that a coordinate is off
+  double mostSteps = 0.5;  ///< most by which a coordinate is off
 };
 
-// In the original the body is 1610.88 mm high. In the first two it goes from 305 to 16078, in the
-// third from -30323 to 32767, cut to multiples of 4. In the last, Draco has 14 bits for that
-// height.
+// The original body is 1610.88 mm high. In the first two files it spans from 305 to 16078, in the
+// third from -30323 to 32767 in multiples of 4. In the last, Draco has 14 bits for that height.
 const Expected compressed[] = {
     {"EXT_meshopt", "Figure_meshopt.glb", 1610.88 / (16078 - 305)},
     {"KHR_meshopt", "Figure_meshopt_khr.glb", 1610.88 / (16078 - 305)},
@@ -73,11 +71,11 @@ TEST_P(CompressedModels, HaveThePositionsOfTheOriginal) {
   test::expectSound(scene);
   std::size_t triangles = 0;
   for (const Object& object : scene.objects) triangles += object.mesh.triangles.size();
-  EXPECT_EQ(triangles, 33444U);  // as the models' own README says
+  EXPECT_EQ(triangles, 33444U);  // by the models' own README
   EXPECT_EQ(scene.clips.size(), 3U);
   const std::vector<Vec3> ours = sortedPositions(scene);
   const std::vector<Vec3> theirs = sortedPositions(loadScene(*original));
-  // Along all three axes, and what 32 bits round away.
+  // Along all three axes, plus rounding to 32 bits.
   const double most = std::sqrt(3.0) * GetParam().mostSteps * GetParam().stepMm + 1e-3;
   EXPECT_LE(farthest(ours, theirs, 1), most);
   EXPECT_LE(farthest(theirs, ours, 1), most);
@@ -86,7 +84,7 @@ TEST_P(CompressedModels, HaveThePositionsOfTheOriginal) {
 INSTANTIATE_TEST_SUITE_P(Figure, CompressedModels, testing::ValuesIn(compressed),
                          [](const auto& of) { return std::string(of.param.name); });
 
-// The same data by both extensions, of which the second has the newer codec of attributes.
+// The same data in both extensions; the second has the newer codec for attributes.
 TEST(CompressedModels, MeshoptExtensionsAgreeInEveryBit) {
   const auto ext = compressedModel("Figure_meshopt.glb");
   const auto khr = compressedModel("Figure_meshopt_khr.glb");

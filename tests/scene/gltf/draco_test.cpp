@@ -73,7 +73,7 @@ void addAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco:
 struct Encoding {
   draco::MeshEncoderMethod method = draco::MESH_EDGEBREAKER_ENCODING;
   int speed = 5;
-  int positionBits = 0;  ///< 0: all
+  int positionBits = 0;  ///< 0: all bits
   bool attributes = true;
 };
 
@@ -128,8 +128,7 @@ class Draco : public Gltf {
   std::string errorOfStream(const std::string& stream) { return errorOf(partsOf(stream), stream); }
 };
 
-/// The largest distance of a vertex from the one of the torus that it should be, mm, and of its
-/// normal.
+/// The largest errors in mm of a vertex and of its normal, compared with the torus.
 std::array<double, 2> errorsOf(const Mesh& mesh, const Torus& torus) {
   std::array<double, 2> largest{};
   for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
@@ -168,7 +167,7 @@ TEST_F(Draco, GivesTheMeshThatWasEncoded) {
         // Half a step along each axis; a step is the longest side of the box, 8 m, by 2^bits − 1.
         const double step = bits == 0 ? 0 : 8000.0 / ((1 << bits) - 1);
         const auto [distance, normal] = errorsOf(mesh, made);
-        EXPECT_LE(distance, std::sqrt(0.75) * step + 1e-3);  // and what 32 bits round away
+        EXPECT_LE(distance, std::sqrt(0.75) * step + 1e-3);  // plus rounding to 32 bits
         EXPECT_LE(normal, 1e-6);
         if (volume == 0) volume = volumeMm3(scene);
         EXPECT_NEAR(volumeMm3(scene) / volume, 1, 1e-4);
@@ -210,7 +209,7 @@ TEST_F(Draco, DamagedStreamsLoadSoundlyOrAreRefused) {
       for (int i = 0; i < count; ++i) {
         std::string damaged = stream;
         for (std::size_t n = 1 + random() % 3; n-- > 0;) {
-          // More often where sizes and methods stand.
+          // Half of the changes hit the beginning, which holds sizes and methods.
           const std::size_t end = random() % 2 == 0 ? 64 : damaged.size();
           damaged[11 + random() % (end - 11)] = static_cast<char>(random());
         }
@@ -226,8 +225,8 @@ TEST_F(Draco, DamagedStreamsLoadSoundlyOrAreRefused) {
 }
 
 TEST_F(Draco, HeadersAreNotBelieved) {
-  // Draco bitstream 2.2: five letters, version, kind, method, flags; then the numbers of vertices
-  // and triangles, seven bits a byte. Edgebreaker's kind of traversal stands before them.
+  // Draco bitstream 2.2: five letters, version, kind, method and flags precede the numbers of
+  // vertices and triangles, seven bits per byte. Edgebreaker's traversal type precedes those.
   std::string stream = encoded(torus(), {draco::MESH_SEQUENTIAL_ENCODING});
   EXPECT_THAT(errorOfStream(stream.substr(0, 11) + "\xFF\xFF\xFF\xFF\x0F" + stream.substr(13)),
               HasSubstr("promises 4294967295 triangles"));

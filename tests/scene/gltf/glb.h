@@ -8,7 +8,7 @@
 
 namespace opaline::test {
 
-/// A binary glTF of a JSON text and a binary chunk.
+/// A binary glTF from a JSON text and a binary chunk.
 inline std::string glb(std::string json, std::string binary) {
   const auto word = [](std::size_t value) {
     const auto number = static_cast<std::uint32_t>(value);

@@ -13,7 +13,7 @@
 
 namespace opaline::test {
 
-/// A tetrahedron of floats: 48 bytes of positions, then 12 indices of 16 bits.
+/// A tetrahedron of floats: 48 bytes of positions, followed by 12 indices of 16 bits.
 inline const std::vector<float> tetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 inline const std::vector<std::uint16_t> tetrahedronFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
@@ -21,14 +21,14 @@ inline std::string tetrahedronBytes() {
   return raw(tetrahedron) + raw(tetrahedronFaces);
 }
 
-/// The text with the first of a piece, which it must have, changed.
+/// The text with the first occurrence of `piece`, which must exist, replaced.
 inline std::string changed(std::string text, const std::string& piece, const std::string& to) {
   const std::size_t at = text.find(piece);
   EXPECT_NE(at, std::string::npos) << piece;
   return at == std::string::npos ? text : text.replace(at, piece.size(), to);
 }
 
-/// Parts of a file around the tetrahedron, each to be replaced.
+/// Parts of a file around the tetrahedron; tests replace single ones.
 struct Parts {
   std::string nodes = R"({"mesh":0,"name":"tetra"})";
   std::string meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";

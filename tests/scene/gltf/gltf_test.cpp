@@ -87,7 +87,7 @@ TEST_F(Gltf, AllComponentTypesNormalisedOrNot) {
   struct Case {
     int type;
     bool normalised;
-    std::string bytes;  // of 0 0 0, 1 0 0, 0 1 0 or their like
+    std::string bytes;  // of 0 0 0, 1 0 0, 0 1 0 or the like
   };
   const auto three = [](auto one) {
     using T = decltype(one);
@@ -168,12 +168,12 @@ TEST_F(Gltf, CamerasAndLights) {
   EXPECT_NEAR(scene.camera.verticalFovDegrees, 45, 1e-4);
   EXPECT_NEAR(scene.camera.targetMm[2], 500, 1e-2);
   ASSERT_EQ(scene.lighting.directional.size(), 1U);
-  // A light shines along its -z; the node turns +z to +x.
+  // A light shines along its -z; the node rotates +z to +x.
   EXPECT_NEAR(scene.lighting.directional[0].directionToLight[0], 1, 1e-6);
   EXPECT_EQ(scene.lighting.directional[0].irradiance, (Rgb{3, 1.5F, 0}));
   ASSERT_EQ(scene.lighting.points.size(), 1U);
   EXPECT_EQ(scene.lighting.points[0].positionMm, (Vec3{0, 0, 2000}));
-  // At one metre 7 candela give 7 lux.
+  // 7 candela give 7 lux at one metre.
   EXPECT_NEAR(scene.lighting.points[0].intensity[0] / 1e6, 7, 1e-5);
   EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("lantern")));
 }
@@ -195,7 +195,7 @@ TEST_F(Gltf, SpotLights) {
   ASSERT_EQ(scene.lighting.spots.size(), 2U);
   const SpotLight& light = scene.lighting.spots[0];
   EXPECT_EQ(light.positionMm, (Vec3{0, 0, 2000}));
-  // It shines along its -z; the node turns that to -x.
+  // It shines along its -z, which the node rotates to -x.
   EXPECT_NEAR(light.direction[0], -1, 1e-6);
   EXPECT_NEAR(light.intensity[0] / 1e6, 7, 1e-5);
   EXPECT_NEAR(light.intensity[1] / 1e6, 3.5, 1e-5);
@@ -231,19 +231,19 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
   parts.more = R"(,"materials":[{"name":"wax of mine",)" + volume + "}]";
   medium = load(parts).objects[0].medium;
   const double colour[] = {0.9, 0.5, 0};
-  // Of exact transfer in a half-space of index 1.4 in even light, within .003: the share of what
-  // entered that leaves again.
+  // The share of the entered light that leaves a half-space of index 1.4 again in even light. This
+  // formula is within 0.003 of exact transfer.
   const auto seen = [](double albedo) {
     const double s = std::sqrt(1 - albedo);
     return (1 - s) * (1 - 0.480 * s) / (1 + 3.569 * s);
   };
   for (int c = 0; c < 3; ++c) {
     const bssrdf::Coefficients of = bssrdf::coefficients(medium, c);
-    // After one millimetre 1/2, 1/4, 1/8 is left.
+    // One millimetre transmits 1/2, 1/4 and 1/8.
     EXPECT_NEAR(of.sigmaTPrimePerMm, (c + 1) * std::log(2.0), 1e-9);
     EXPECT_NEAR(seen(of.albedo), colour[c], 1e-4);
   }
-  // By its name of today, and with light that is scattered forwards: σ_s (1 - g) is the same.
+  // Under its current name and with forward scattering: σ_s (1 - g) is the same.
   parts.more = R"(,"materials":[{"name":"gel","extensions":{"KHR_materials_ior":{"ior":1.4},
       "KHR_materials_volume":{"attenuationDistance":0.001,"attenuationColor":[0.5,0.25,0.125]},
       "KHR_materials_volume_scatter":{"multiscatterColorFactor":[0.9,0.5,0],
@@ -265,7 +265,7 @@ TEST_F(Gltf, InstancesAreDrawn) {
   Parts parts;
   parts.nodes = R"({"mesh":0,"name":"cube","translation":[1,0,0],"extensions":{
       "EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}}})";
-  // The mesh's own vertices as places: the origin and a metre along each axis.
+  // The places are the mesh's own vertices: the origin, and a metre along each axis.
   const Scene scene = load(parts);
   ASSERT_EQ(scene.objects.size(), 4U);
   EXPECT_EQ(scene.objects[0].name, "cube 1");
@@ -353,7 +353,7 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
   EXPECT_TRUE(scene.cameraChosen);
 }
 
-// ymag is half of the height (glTF 2.0, section 3.10).
+// ymag is half of the visible height (glTF 2.0, section 3.10).
 TEST_F(Gltf, OrthographicCamerasSeeTwiceTheirMagnification) {
   Parts parts;
   parts.scene = R"("scenes":[{"nodes":[0,1]}],)";
@@ -378,7 +378,7 @@ TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
   EXPECT_THAT(message, HasSubstr("requires 'ACME_\uFFFDcloth' and 'EXT_example_hair', "
                                  "which are not supported"));
   EXPECT_THAT(message, HasSubstr("docs/gltf.md"));
-  // What else would be said of such a file comes of not knowing them.
+  // Any other problem of such a file follows from not knowing the extensions.
   EXPECT_THAT(test::messageOf([&] {
                 loadBytes(test::glb(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4},)"
                                     R"({"byteLength":4}],"accessors":[{"componentType":5126}],)"
@@ -386,7 +386,7 @@ TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
                                     "1234"));
               }),
               HasSubstr("requires 'EXT_example_hair', which is not supported"));
-  // What changes only how the surface looks may be left out, unless the file forbids it.
+  // Extensions that only affect the look may be ignored, unless the file requires them.
   parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_materials_clearcoat"])";
   EXPECT_THAT(errorOf(parts),
               HasSubstr("requires 'KHR_materials_clearcoat', which is not supported"));

@@ -1,4 +1,4 @@
-// Files that lie: each is an error that names it, and none takes memory on a header's word.
+// Files that lie: each causes an error that names it, and no header's claim causes an allocation.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -127,7 +127,7 @@ TEST_F(Gltf, ManyInstancesAreRefusedBeforeMemoryIs) {
     list += (i == 0 ? "" : ",") + std::to_string(i);
   }
   parts.scene = R"("scenes":[{"nodes":[)" + list + "]}],";
-  // Fans of 16,000 triangles, each with vertices of its own for want of normals.
+  // Fans of 16,000 triangles, each with its own vertices as there are no normals.
   std::vector<std::uint16_t> fan(16'000);
   for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = static_cast<std::uint16_t>(i % 4);
   parts.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},

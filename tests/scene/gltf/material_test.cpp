@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 class GltfMaterial : public Gltf {
  protected:
-  /// A tetrahedron whose positions are its texture coordinates and colours too.
+  /// A tetrahedron whose positions also serve as texture coordinates and colours.
   static Parts parts(const std::string& material) {
     Parts parts;
     parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"COLOR_0":0},"indices":1,)"
@@ -28,7 +28,7 @@ class GltfMaterial : public Gltf {
     return parts;
   }
 
-  /// What is not shown of it.
+  /// The things of a scene that are not shown, as text.
   static std::string said(const Scene& scene) {
     std::string kinds;
     for (const NotShown& kind : scene.notShown) kinds += kind.what + " ";
@@ -67,7 +67,7 @@ TEST_F(GltfMaterial, WithoutAnyItIsMarble) {
   EXPECT_EQ(scene.objects[0].medium.name, "marble");
 }
 
-// Flat triangles have vertices of their own; colours go with them.
+// Flat triangles have their own vertices, and colours go with them.
 TEST_F(GltfMaterial, AttributesFollowTheirVertices) {
   const Scene scene = load(parts(R"({"pbrMetallicRoughness":{"metallicFactor":0}})"));
   const Mesh& mesh = scene.objects[0].mesh;
@@ -76,7 +76,7 @@ TEST_F(GltfMaterial, AttributesFollowTheirVertices) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mesh.colors[v][c], mesh.positionsMm[v][c] / 1000);
 }
 
-// Both extensions say the same of a medium.
+// Both extensions must describe the same medium.
 TEST_F(GltfMaterial, ScatterIsReadAsVolumeScatterIs) {
   const auto medium = [&](const std::string& extensions) {
     const Scene scene =
@@ -96,7 +96,7 @@ TEST_F(GltfMaterial, ScatterIsReadAsVolumeScatterIs) {
   EXPECT_NE(former.sigmaAPerMm[0], former.sigmaAPerMm[2]);
 }
 
-// KHR_materials_scatter: the strength scales the albedo of many collisions.
+// KHR_materials_scatter: the strength scales the multiple-scattering albedo.
 TEST_F(GltfMaterial, StrengthScalesTheColour) {
   const auto colour = [&](double strength, double thickness) -> std::optional<Rgb> {
     const Scene scene = load(parts(fmt::format(
@@ -112,7 +112,7 @@ TEST_F(GltfMaterial, StrengthScalesTheColour) {
   const Rgb half = colour(0.5, 1).value();
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(half[c], 0.5 * (0.8 - 0.2 * static_cast<double>(c)), 1e-5);
-  EXPECT_FALSE(colour(0, 1));  // absorbs alone
+  EXPECT_FALSE(colour(0, 1));  // only absorbs
   EXPECT_FALSE(colour(1, 0));  // thin
 }
 
@@ -144,7 +144,7 @@ TEST_F(GltfMaterial, ASheetThatLetsLightThroughIsOpaque) {
   EXPECT_TRUE(scene.notShown.empty());
 }
 
-// A medium takes all the light that its surface does not mirror.
+// A medium takes in all light that its surface does not mirror.
 TEST_F(GltfMaterial, HowLightGetsIntoAMediumIsToldWhereItIsNotShown) {
   const auto told = [&](const std::string& extensions, const std::string& factor = "1") {
     Parts file = parts(
@@ -162,7 +162,7 @@ TEST_F(GltfMaterial, HowLightGetsIntoAMediumIsToldWhereItIsNotShown) {
       R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":)";
   EXPECT_EQ(told(clear + "1}"), "");
   EXPECT_EQ(told(clear + "1}", "0.5"), "base colours ");
-  EXPECT_EQ(told(diffuse + "1}", "0.5"), "");  // nothing is given back in it
+  EXPECT_EQ(told(diffuse + "1}", "0.5"), "");  // it reflects nothing by the base colour
   EXPECT_EQ(told(clear + "0.5}"), "partial transmission ");
   EXPECT_EQ(told(diffuse + "0.5}", "0.5"), "base colours partial transmission ");
   EXPECT_EQ(told(clear + "0.5}," + diffuse + "1}"), "");
@@ -198,7 +198,7 @@ TEST_F(GltfMaterial, StrengthMayVaryByTheAlphaOfATexture) {
   EXPECT_NEAR(decodeSrgb(static_cast<float>(rgba[4]) / 65535.0F), 128.0 / 255, 1e-4);
 }
 
-// As Blender exports custom properties of a material.
+// Custom properties of a material, as Blender exports them.
 TEST_F(GltfMaterial, CustomPropertiesSayHowItLooks) {
   const Scene scene =
       load(parts(R"({"name":"jelly","pbrMetallicRoughness":{"metallicFactor":0,)"
@@ -221,10 +221,10 @@ TEST_F(GltfMaterial, CustomPropertiesSayHowItLooks) {
               HasSubstr("must be a number or three"));
   EXPECT_THAT(errorOf(parts(R"({"extras":{"sigma_s_prime_per_mm":[1,1,1]}})")),
               HasSubstr("must be beside sigma_a_per_mm"));
-  EXPECT_NO_THROW(load(parts(R"({"extras":{"color":"red","g":"?"}})")));  // somebody else's
+  EXPECT_NO_THROW(load(parts(R"({"extras":{"color":"red","g":"?"}})")));  // somebody else's extras
 }
 
-// Kulla and Conty 2017, as the drafts have it: .37 becomes an albedo of .83 (worked out by hand).
+// Kulla and Conty 2017, as in the drafts: 0.37 becomes an albedo of 0.83 (computed by hand).
 TEST_F(GltfMaterial, ColoursMeanWhatTheModelSays) {
   const Parts file =
       parts(R"({"name":"jelly","extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
@@ -279,8 +279,8 @@ TEST_F(GltfMaterial, AFileThatRequiresTexturesThatAreNotReadIsRefused) {
   EXPECT_THAT(errorOf(file), HasSubstr("requires 'KHR_texture_basisu', which is not supported"));
 }
 
-// The medium is as bright as all but the brightest twentieth; where the picture has that colour the
-// medium is bare.
+// The medium is as bright as all but the brightest twentieth, and bare where the picture has that
+// colour.
 TEST_F(GltfMaterial, ATextureOfColoursIsPaintOnTheirBrightest) {
   std::vector<std::uint8_t> pixels;
   for (int i = 0; i < 10; ++i) {
@@ -308,7 +308,8 @@ TEST_F(GltfMaterial, ATextureOfColoursIsPaintOnTheirBrightest) {
   EXPECT_GT(bare[1], bare[2]);
 }
 
-// Of a medium the file's own maps are kept, and of roughness what is said: by default all is rough.
+// A medium keeps the file's own maps, and a roughness only if the file gives it: by default all is
+// rough.
 TEST_F(GltfMaterial, RoughnessAndNormalsOfAMediumAreItsSurface) {
   writePng(folder / "map.png", {1, 1, {128, 64, 255, 255}});
   const auto surface = [&](const std::string& pbr, const LoadOptions& options = {},
@@ -371,7 +372,7 @@ TEST_F(GltfMaterial, TexturesKeepWhatTheFileSaysOfThem) {
   EXPECT_EQ(texture.wrapU, TextureWrap::ClampToEdge);
   EXPECT_EQ(texture.wrapV, TextureWrap::MirroredRepeat);
   EXPECT_FALSE(texture.interpolated);
-  // KHR_texture_transform: moved, turned, scaled, from the right.
+  // KHR_texture_transform, applied from the right: moved, rotated, scaled.
   const std::array<Vec3, 2> expected{{{0, 3, 0.25F}, {-2, 0, 0.5F}}};
   for (std::size_t row = 0; row < 2; ++row)
     for (std::size_t i = 0; i < 3; ++i)
@@ -393,7 +394,7 @@ TEST_F(GltfMaterial, PicturesThatCannotBeReadAreLeftOutAndNamed) {
               HasSubstr("texture 7 does not exist"));
 }
 
-// Two squares side by side, the second with its texture the other way round.
+// Two squares side by side, the second with a mirrored texture.
 TEST(Tangents, FollowTheTextureOnBothHands) {
   Mesh mesh;
   for (const float y : {0.0F, 1.0F})

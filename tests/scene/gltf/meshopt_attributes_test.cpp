@@ -1,5 +1,5 @@
-// The attribute codec of EXT_meshopt_compression and KHR_meshopt_compression. The streams are made
-// by meshoptimizer, or by hand after the specification where that cannot.
+// The attribute codec of EXT_meshopt_compression and KHR_meshopt_compression. Streams are made by
+// meshoptimizer, or by hand from the specification where it cannot make them.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using test::Bytes;
 using test::encodedAttributes;
 
-/// Steps of many sizes from one element to the next, as of real attributes and of noise.
+/// Steps of many sizes between elements, as in real attributes and in noise.
 Bytes walk(std::size_t count, std::size_t stride, std::mt19937& random) {
   Bytes bytes(count * stride);
   for (std::size_t k = 0; k < stride; ++k) {
@@ -96,8 +96,8 @@ Bytes version1(const Bytes& blocks, const Bytes& baseline, const Bytes& modes) {
 TEST(MeshoptAttributes, ControlsOfVersion1) {
   const Bytes example{0x17, 0x5f, 0xf0, 0xbc, 0x77, 0xa9, 0x21, 0x00, 0x34, 0xb5};
   const std::vector<int> deltas{-1, -4, -3, 26, -91, 0, -6, 6, -4, -4, 5, -5, 1, -1, 0, 0};
-  // Byte 0: control 0, four bits by header 3. Byte 1: control 1, the same by header 2. Byte 2: all
-  // zero. Byte 3: literal.
+  // Byte 0 has control 0 and four bits by header 3; byte 1 has control 1 and four bits by header 2;
+  // byte 2 is all zero; byte 3 is literal.
   Bytes block{0b11'10'01'00};
   block.push_back(3);
   block.insert(block.end(), example.begin(), example.end());
@@ -120,7 +120,7 @@ TEST(MeshoptAttributes, ControlsOfVersion1) {
 }
 
 TEST(MeshoptAttributes, SingleBitsOfVersion1) {
-  // Control 0, header 1: a byte follows for each bit that is set, from the lowest.
+  // Control 0, header 1: a byte follows for each set bit, from the lowest.
   const Bytes block{0b10'10'10'00, 1, 0b0000'0101, 0b1000'0000, 8, 3, 0x80};
   const Bytes stream = version1(block, {0, 0, 0, 0}, {0});
   Bytes decoded(64);

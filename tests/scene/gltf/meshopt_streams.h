@@ -9,7 +9,7 @@ namespace opaline::test {
 
 using Bytes = std::vector<unsigned char>;
 
-/// Made by meshoptimizer.
+/// Encodes attributes by meshoptimizer.
 inline Bytes encodedAttributes(const void* elements, std::size_t count, std::size_t stride) {
   Bytes bytes(meshopt_encodeVertexBufferBound(count, stride));
   bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), elements, count, stride));

@@ -1,5 +1,5 @@
-// Files with EXT_meshopt_compression and KHR_meshopt_compression. The streams are made by
-// meshoptimizer, or by hand after the specification where that cannot.
+// Files with EXT_meshopt_compression and KHR_meshopt_compression. Streams are made by
+// meshoptimizer, or by hand from the specification where it cannot make them.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -41,14 +41,14 @@ Bytes encodedIndices(const std::vector<std::uint16_t>& indices) {
   return bytes;
 }
 
-/// One view of a file and how it is compressed.
+/// One view of a file and its compression.
 struct Compressed {
   Bytes stream;
   std::size_t count = 0;
   std::size_t stride = 0;
   std::string mode = "ATTRIBUTES";
   std::string filter{};
-  std::string more{};  ///< further members of the view
+  std::string more{};  ///< more members of the view
 };
 
 const Compressed positions{encodedAttributes(tetrahedron, 12), 4, 12};
@@ -93,7 +93,7 @@ class Meshopt : public Gltf {
  protected:
   Scene loadPacked(const Packed& of) { return load(of.parts, of.binary); }
 
-  /// The error after one piece of the file's JSON is replaced.
+  /// The error after replacing one piece of the file's JSON.
   std::string errorWith(Packed of, const std::string& old, const std::string& by) {
     of.parts.views = test::changed(of.parts.views, old, by);
     return errorOf(of.parts, of.binary);
@@ -119,7 +119,7 @@ TEST_F(Meshopt, GivesTheSameAsWithout) {
   }
 }
 
-// This mode may turn a triangle, so that another corner is its first.
+// This mode may rotate a triangle's corners.
 TEST_F(Meshopt, ReadsTriangles) {
   const Scene scene = loadPacked(packed({positions, faces}));
   EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 4U);
@@ -140,7 +140,7 @@ TEST_F(Meshopt, FiltersExponential) {
 }
 
 TEST_F(Meshopt, FiltersOctahedral) {
-  // Outward normals of a tetrahedron's corners, of no special direction.
+  // Outward normals of a tetrahedron's corners, in no special direction.
   const double root = std::sqrt(3.0);
   std::vector<float> normals;
   for (const std::array<double, 3> n :
@@ -161,7 +161,7 @@ TEST_F(Meshopt, FiltersOctahedral) {
   ASSERT_EQ(scene.objects[0].mesh.normals.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
-      // Of 16 bits, and decoded to one unit in the last place.
+      // 16 bits, decoded to one unit in the last place.
       EXPECT_NEAR(scene.objects[0].mesh.normals[i][c], normals[4 * i + c], 3.0 / 32767);
     }
   }
@@ -201,7 +201,7 @@ std::vector<T> colors(int value, int alpha) {
 }
 
 TEST_F(Meshopt, FiltersColors) {
-  // Used as positions, they make a tetrahedron whose edges are that value.
+  // As positions, they make a tetrahedron whose edges are that value.
   const auto volume = [&](const Bytes& stream, std::size_t stride, int componentType) {
     const Compressed filtered{stream,       4,       stride,
                               "ATTRIBUTES", "COLOR", fmt::format(R"(,"byteStride":{})", stride)};
@@ -215,7 +215,7 @@ TEST_F(Meshopt, FiltersColors) {
   const auto eight = [&](int value, int alpha) {
     return volume(encodedAttributes(colors<std::uint8_t>(value, alpha), 4), 4, 5121);
   };
-  // As many bits as alpha has: all 8, or 4 of them, of which 12 means 12/15.
+  // As many bits as alpha has: all 8, or 4 of them, where 12 means 12/15.
   EXPECT_NEAR(eight(240, 0xff), std::pow(240.0, 3) / 6, 1e-3);
   EXPECT_NEAR(eight(12, 0x0b), std::pow(255.0 * 12 / 15, 3) / 6, 1e-3);
   const double sixteen = volume(encodedAttributes(colors<std::uint16_t>(3276, 0xfff), 8), 8, 5123);
@@ -277,7 +277,7 @@ TEST_F(Meshopt, SizesAreNotBelieved) {
   huge.count = 100'000'000;
   const Packed file = packed({huge, faces});
   EXPECT_THAT(errorOf(file.parts, file.binary), HasSubstr("promises 1200000000 bytes"));
-  // One that says the truth, many times.
+  // A stream that is honest but used many times.
   Compressed long1{encodedAttributes(Bytes(40'000'000), 4), 10'000'000, 4};
   Packed repeated = packed({long1});
   const std::string view = repeated.parts.views;

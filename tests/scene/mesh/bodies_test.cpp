@@ -1,4 +1,4 @@
-// Which objects are one body.
+// Which objects form one body.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// An open box over a square from x to x + 1: all sides but that towards +x or -x, which is open.
+/// A box over a square from x to x + 1, without its side towards +x or -x.
 Mesh openBox(float x, bool opensForwards) {
   const std::vector<Vec3> corners{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0}, {x, 1, 0},
                                   {x, 0, 1}, {x + 1, 0, 1}, {x + 1, 1, 1}, {x, 1, 1}};

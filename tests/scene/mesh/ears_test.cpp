@@ -20,7 +20,7 @@ bool contains(const Double2& a, const Double2& b, const Double2& c, const Double
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-/// As the definition says, every corner against every other.
+/// Directly by the definition: every corner is tested against every other.
 bool clipByDefinition(const std::vector<Double2>& p, Triangles& triangles) {
   std::vector<std::uint32_t> ring(p.size());
   std::iota(ring.begin(), ring.end(), 0U);

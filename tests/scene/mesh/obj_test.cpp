@@ -31,7 +31,7 @@ class Obj : public testing::Test {
 
 const std::string cubeCorners =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
-// Counter-clockwise from outside.
+// Counter-clockwise seen from outside.
 const std::string quads = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 TEST_F(Obj, PolygonsBecomeTriangles) {
@@ -44,7 +44,7 @@ TEST_F(Obj, PolygonsBecomeTriangles) {
   EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
 }
 
-// What stands at a corner of a cube: one vertex, or one for each of so many normals.
+// Vertices at a corner of a cube: a single one, or one for each normal.
 TEST_F(Obj, SmoothingGroupsMakeCreases) {
   const auto meshOf = [&](const std::string& faces) {
     const Scene scene = load(cubeCorners + faces);
@@ -63,7 +63,8 @@ TEST_F(Obj, SmoothingGroupsMakeCreases) {
       EXPECT_NEAR(largest, 1, 1e-6) << off;
     }
   }
-  // The first face, below at z = 0, and the other five: its corners have two normals each.
+  // The first face, at z = 0, and the other five are separate groups: its corners have two normals
+  // each.
   const std::size_t second = quads.find('\n') + 1;
   const Mesh lid = meshOf("s 1\n" + quads.substr(0, second) + "s 2\n" + quads.substr(second));
   EXPECT_EQ(lid.positionsMm.size(), 12U);
@@ -74,14 +75,14 @@ TEST_F(Obj, SmoothingGroupsMakeCreases) {
   for (std::size_t v = 0; v < lid.normals.size(); ++v) {
     const Vec3& normal = lid.normals[v];
     if (normal[2] < -0.999F) ++ofLid;
-    // Two faces at right angles, of the corners below; three of those above.
+    // Two faces meet at right angles at the lower corners, three at the upper ones.
     const float expected =
         lid.positionsMm[v][2] < bottom + 0.5F ? std::sqrt(0.5F) : std::sqrt(1 / 3.0F);
     if (std::abs(std::abs(normal[0]) - expected) < 1e-6F) ++slanting;
   }
   EXPECT_EQ(ofLid, 4);
   EXPECT_EQ(slanting, 8);
-  // Normals of the file's own come first.
+  // Normals in the file take precedence.
   const Scene own = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\ns off\nf 1//1 2//1 3//1\n");
   EXPECT_NEAR(own.objects[0].mesh.normals[0][1], 0.6, 1e-6);
 }
@@ -101,7 +102,7 @@ TEST_F(Obj, NormalsAndTextureCoordinates) {
   const Scene scene = load(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nvt 0 0\nvn 0 0 2\nvn 0 0.6 0.8\n"
       "f 1/1/1 2//1 3/1/1\nf 2//2 4//2 3//2\n");
-  // The two sides of the crease have normals of their own.
+  // The two sides of the crease have separate normals.
   EXPECT_EQ(scene.objects[0].mesh.positionsMm.size(), 6U);
   EXPECT_EQ(scene.objects[0].mesh.normals[0], (Vec3{0, 0, 1}));
   EXPECT_FLOAT_EQ(scene.objects[0].mesh.normals[4][1], 0.6F);
@@ -193,7 +194,7 @@ TEST_F(Obj, MaterialsComeFromTheirFile) {
   EXPECT_EQ(glaze.baseColorTexture->pixels->rgba[2], 30 * 257);
   EXPECT_FALSE(glaze.emissionTexture);
   EXPECT_TRUE(scene.notShown.empty());
-  // Seams of the texture part vertices, not the body; rows of a picture go down.
+  // Seams of the texture split vertices, but not the body. Rows of a picture go down.
   const Mesh& mesh = scene.objects[0].mesh;
   ASSERT_EQ(mesh.textureCoordinates[0].size(), mesh.positionsMm.size());
   EXPECT_GT(mesh.positionsMm.size(), 8U);
@@ -209,7 +210,7 @@ TEST_F(Obj, BadUtf8InNamesIsHarmless) {
 }
 
 TEST_F(Obj, OnePolygonOfManyCornersIsCutInBoundedTime) {
-  // A comb, concave at every second corner.
+  // A comb, concave at every other corner.
   std::string text;
   std::string face = "f";
   constexpr int teeth = 4000;

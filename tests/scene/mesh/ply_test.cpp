@@ -71,7 +71,7 @@ void put(std::string& bytes, T value, bool big) {
   bytes.append(raw.data(), raw.size());
 }
 
-/// A cube with an element that nobody knows, extra properties and odd types.
+/// A cube with an unknown element, extra properties and odd types.
 std::string binaryCube(bool big) {
   const scene::RawMesh cube = test::cube();
   std::string bytes = std::string("ply\nformat ") +
@@ -97,7 +97,7 @@ std::string binaryCube(bool big) {
     put<float>(bytes, p[2], big);
   }
   for (std::size_t side = 0; side < 6; ++side) {
-    // Two triangles a b c, a c d of each side make the quad a b c d.
+    // Two triangles a b c and a c d of each side form the quad a b c d.
     const Triangle& first = cube.triangles[2 * side];
     const Triangle& second = cube.triangles[2 * side + 1];
     put<float>(bytes, 0.5F, big);
@@ -132,7 +132,7 @@ TEST_F(Ply, ColoursAreNotShownWhichIsSaid) {
   EXPECT_THAT(kinds, testing::ElementsAre("vertex colours", "texture coordinates", "face colours"));
 }
 
-// IEC 61966-2-1 for whole numbers.
+// Whole numbers are decoded by IEC 61966-2-1.
 TEST_F(Ply, ColouredVerticesMakeAnOpaqueBody) {
   const Scene scene = load(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
@@ -167,7 +167,7 @@ TEST_F(Ply, NormalsAreUsed) {
 }
 
 TEST_F(Ply, ConcavePolygonsAreCutInside) {
-  // An L of area 3 and an arrow head; a fan from the first corner would leave them.
+  // An L of area 3 and an arrow head, which a fan from the first corner would leave.
   const std::string text =
       "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -199,7 +199,7 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
     EXPECT_THAT(errorOf(file("4000000000000", "1")), HasSubstr("4000000000000"));
     EXPECT_THAT(errorOf(file("99999999999999999999999", "1")), HasSubstr("number"));
     errorOf(file("0", "4000000000000"));
-    // An element without properties takes no bytes at all.
+    // An element without properties takes no bytes.
     errorOf(file("0", "0", "element void 18446744073709551615\n"));
   }
   std::string list =

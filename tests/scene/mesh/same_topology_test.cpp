@@ -10,7 +10,7 @@
 #include "opaline/sequence.h"
 #include "scene/shapes.h"
 
-// Files whose positions stand for each other's: morphs and sequences.
+// Files whose positions replace each other: morphs and sequences.
 
 namespace opaline {
 namespace {
@@ -34,8 +34,8 @@ std::string plyOf(const scene::RawMesh& mesh) {
   return text;
 }
 
-/// A cube with two vertices that its file does not need: an unused first one, and a copy of a
-/// corner for one triangle. Every coordinate times `factor`.
+/// A cube with two superfluous vertices: an unused first one, and a copy of a corner for one
+/// triangle. Every coordinate is multiplied by `factor`.
 scene::RawMesh awkwardCube(float factor) {
   scene::RawMesh mesh = test::cube();
   mesh.positions.insert(mesh.positions.begin(), {5, 5, 5});
@@ -81,7 +81,7 @@ TEST_F(MorphTo, OneTargetTakesTheFirstMeshToTheSecond) {
   ASSERT_EQ(object.rig->positions.size(), 8U);
   for (std::size_t v = 0; v < 8; ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // Both at the first one's scale: ten millimetres a unit, and twice more for the second.
+      // Both use the first file's scale, ten millimetres per unit; the second is twice as large.
       EXPECT_FLOAT_EQ(10 * object.rig->positions[v][axis], object.mesh.positionsMm[v][axis]);
       EXPECT_FLOAT_EQ(20 * object.rig->positions[v][axis],
                       10 * object.rig->targets[0].positions[v][axis]);
@@ -118,7 +118,7 @@ TEST_F(MorphTo, OtherTopologiesAreErrorsThatNameBothFiles) {
   EXPECT_THAT(errorWith(other), HasSubstr("join other vertices"));
 }
 
-/// A quadrilateral that is convex in one file and not in the other is cut in two ways.
+/// A quadrilateral that is convex in only one of the files is cut in two ways.
 TEST_F(MorphTo, PolygonsAreComparedUncut) {
   const auto quad = [](const char* tip) {
     return std::string(

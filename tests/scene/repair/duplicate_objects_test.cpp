@@ -25,7 +25,7 @@ std::string namesOf(const Scene& scene) {
   return names;
 }
 
-/// A scene file of three tetrahedra, of which two lie at one place.
+/// A scene file of three tetrahedra, two of them at one place.
 LoadedScene loadTetrahedra(const test::TemporaryFolder& folder) {
   test::writeBytes(folder / "tetrahedron.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");

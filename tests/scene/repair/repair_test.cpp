@@ -19,7 +19,7 @@ using test::countOf;
 using test::cube;
 using Repairs = std::vector<Repair>;
 
-/// A ball of stacked rings: closed, outwards, no two vertices at one place.
+/// A ball of stacked rings: closed, facing outwards, with distinct vertices.
 RawMesh ball(std::uint32_t rings, std::uint32_t sides) {
   RawMesh mesh;
   mesh.positions.push_back({0, 1, 0});
@@ -50,7 +50,7 @@ double volumeOf(const RawMesh& mesh) {
   return test::signedVolume(mesh.positions, mesh.triangles);
 }
 
-// A ball whose last column of vertices lies beside its first, as sin 2π is not 0.
+// A ball whose last column of vertices lies slightly beside its first, as sin 2π is not exactly 0.
 RawMesh ballWithASeam(std::uint32_t rings, std::uint32_t sides, float beside) {
   RawMesh mesh = ball(rings, sides);
   const auto first = [&](std::uint32_t ring) { return 1 + (ring - 1) * sides; };
@@ -62,7 +62,7 @@ RawMesh ballWithASeam(std::uint32_t rings, std::uint32_t sides, float beside) {
     position[2] -= beside;
     mesh.positions.push_back(position);
   }
-  // Triangles on the last side of the seam have z < 0 there.
+  // At the last side of the seam, triangles have z < 0.
   for (Triangle& t : mesh.triangles) {
     const bool below = std::any_of(t.begin(), t.end(),
                                    [&](std::uint32_t v) { return mesh.positions[v][2] < -1e-3F; });
@@ -77,7 +77,7 @@ TEST(Repair, SeamsOfRoundBodiesAreClosed) {
   ASSERT_FALSE(factsOf(mesh.positions, mesh.triangles).closed);
   EXPECT_EQ(countOf(repairMesh(mesh, "ball"), "vertices beside their seam"), 7U);
   EXPECT_TRUE(factsOf(mesh.positions, mesh.triangles).closed);
-  // A gap that is meant stays one.
+  // A deliberate gap stays.
   mesh = ballWithASeam(8, 12, 1e-4F);
   EXPECT_EQ(countOf(repairMesh(mesh, "ball"), "vertices beside their seam"), 0U);
   EXPECT_FALSE(factsOf(mesh.positions, mesh.triangles).closed);
@@ -155,7 +155,7 @@ TEST(Repair, DuplicateFacesGo) {
   const Triangle t = mesh.triangles[5];
   mesh.triangles.push_back(t);
   mesh.triangles.push_back({t[1], t[2], t[0]});  // the same turn
-  mesh.triangles.push_back({t[0], t[2], t[1]});  // the back of the same surface
+  mesh.triangles.push_back({t[0], t[2], t[1]});  // the reverse of the same surface
   const Repairs repairs = repairMesh(mesh, "twice");
   EXPECT_EQ(countOf(repairs, "duplicate faces"), 3U);
   EXPECT_EQ(repairs.size(), 1U);
@@ -230,7 +230,7 @@ TEST(Repair, CavitiesStay) {
 
 TEST(Repair, OpenBodiesAreToldByTheVolumeTheyAlmostEnclose) {
   RawMesh open = ball(8, 12);
-  open.triangles.resize(open.triangles.size() - 14);  // one segment
+  open.triangles.resize(open.triangles.size() - 14);  // one segment is missing
   RawMesh inward = open;
   for (Triangle& t : inward.triangles) test::turn(t);
   EXPECT_EQ(countOf(repairMesh(open, "open"), "inward orientation"), 0U);
@@ -251,7 +251,7 @@ TEST(Repair, FlatSheetsKeepTheirSide) {
 }
 
 TEST(Repair, FinIsCutFromItsSheet) {
-  // Three triangles on the edge 0-1.
+  // Three triangles share the edge 0-1.
   RawMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5F, 1, 0}, {0.5F, -1, 0}, {0.5F, 0, 1}};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
@@ -340,7 +340,7 @@ TEST(Repair, WhatHasNoSurfaceIsAnError) {
 }
 
 TEST(Normals, WeighsByAngle) {
-  // At a corner of a cube every side weighs a right angle, however it is cut into triangles.
+  // At a cube's corner every side has a right angle, however it is cut into triangles.
   RawMesh mesh = cube();
   repairMesh(mesh, "cube");
   for (std::size_t v = 0; v < 8; ++v) {
@@ -355,7 +355,7 @@ TEST(Normals, GivenOnesAreNormalisedReplacedAndTurned) {
   RawMesh mesh = cube();
   const RawMesh straight = mesh;
   for (const Vec3& p : mesh.positions) {
-    // Outwards from the middle, of length 0.87; then inwards like the triangles.
+    // Outwards from the middle with length 0.87, then inwards like the triangles.
     mesh.normals.push_back({0.5F - p[0], 0.5F - p[1], 0.5F - p[2]});
   }
   mesh.normals[1] = {0, 0, 0};

@@ -11,7 +11,7 @@
 
 namespace opaline {
 
-/// Scenes beside a model.
+/// Scene files next to a model.
 class Toml : public testing::Test {
  protected:
   Toml() {

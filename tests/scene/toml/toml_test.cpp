@@ -96,7 +96,7 @@ device = "llvmpipe"
   EXPECT_EQ(scene.lighting.directional[0].directionToLight, (Vec3{0, 0, -1}));
   EXPECT_EQ(scene.lighting.directional[0].irradiance, (Rgb{3, 3, 3}));
   ASSERT_EQ(scene.lighting.points.size(), 1U);
-  EXPECT_NEAR(scene.lighting.points[0].positionMm[0], 15, 1e-4);  // from the box's centre
+  EXPECT_NEAR(scene.lighting.points[0].positionMm[0], 15, 1e-4);  // relative to the box's centre
   EXPECT_NEAR(scene.lighting.points[0].positionMm[1], 25, 1e-4);
   ASSERT_EQ(scene.lighting.spots.size(), 1U);
   EXPECT_NEAR(scene.lighting.spots[0].positionMm[2], 135, 1e-4);
@@ -187,7 +187,7 @@ clip = "morph"
   test::expectSound(loaded.scene);
   EXPECT_EQ(loaded.settings.named.clip, "morph");
   const Rig& rig = *loaded.scene.objects[0].rig;
-  // A unit is 10 mm, twice as large in its place.
+  // A unit is 10 mm, and the placement doubles it.
   EXPECT_NEAR(rig.toScene.columns[0][0], 20, 1e-4);
   EXPECT_NEAR(rig.toScene.columns[3][2], 100, 1e-4);
   EXPECT_THAT(errorOf(model + "morph_to = 'other.ply'\n[render]\nclip = 'murph'"),

@@ -28,7 +28,7 @@ inline std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Cubes of 10 mm in a row, one for each name.
+/// A row of 10 mm cubes, one per name.
 inline std::string rowOfCubes(const std::vector<std::string>& objects) {
   const scene::RawMesh mesh = test::cube({0, 0, 0}, 0.01F);
   std::string binary;
@@ -50,7 +50,7 @@ inline std::string rowOfCubes(const std::vector<std::string>& objects) {
       binary);
 }
 
-/// Scenes that are written and loaded again, of cubes with awkward names.
+/// Scenes of cubes with awkward names, written and loaded again.
 class SceneWriter : public testing::Test {
  protected:
   SceneWriter() {

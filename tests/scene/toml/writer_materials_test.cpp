@@ -1,4 +1,4 @@
-// What scene files say about materials, written and loaded again.
+// Materials in scene files, written and loaded again.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ normal_texture = "../../grey.png"
   }
 }
 
-// Other numbers than an object's own material has, and a medium below its paint.
+// Numbers that override an object's own material, and a medium below its paint.
 TEST_F(SceneWriter, NumbersOfMaterialsComeBack) {
   test::writeBytes(file(), R"(
 model = "../../models/cubes.glb"
@@ -97,7 +97,7 @@ base_color = [0.5, 0.25, 1]
   EXPECT_EQ(loaded.scene.objects[1].surface->roughness, 0.375F);
 }
 
-// The maps of a material stay on the medium that takes the place of its own.
+// A material's maps stay on a medium that replaces its own.
 TEST_F(SceneWriter, TexturesStayOnAnotherMedium) {
   writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
   test::writeBytes(file(), R"(
@@ -134,7 +134,7 @@ base_color = [0.5, 0.25, 1]
   EXPECT_EQ(painted.surface->roughness, 0.5F);
 }
 
-// An OBJ file has its texture coordinates where a material of the scene wants them.
+// An OBJ file keeps its texture coordinates where a material of the scene needs them.
 TEST_F(SceneWriter, TexturesOfTranslucentMaterialsArePaint) {
   writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
   test::writeBytes(folder / "tetra.obj",
@@ -157,7 +157,7 @@ material = "cheese"
   EXPECT_EQ(painted.paint->color, (Rgb{1, 0.5F, 0.25F}));
   ASSERT_EQ(painted.mesh.textureCoordinates[0].size(), painted.mesh.positionsMm.size());
   EXPECT_EQ(painted.mesh.textureCoordinates[0][0], (Vec2{0.25F, 0.25F}));
-  // All of it is its brightest. 188 is half of the light.
+  // The whole texture is its brightest colour. 188 is half of the light.
   const Rgb bare = colorOf(painted.medium);
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(bare[c], 0.5026F * painted.paint->color[c], 1e-3F);

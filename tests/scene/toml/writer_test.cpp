@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The current folder, back where it was at the end.
+/// Restores the current folder at the end.
 class CurrentFolder {
  public:
   explicit CurrentFolder(const fs::path& folder) { fs::current_path(folder); }
@@ -115,7 +115,7 @@ TEST_F(SceneWriter, IsFoundFromAnyFolder) {
   EXPECT_THAT(text, HasSubstr(R"(file = "../../sky \"1\".exr")"));
   const CurrentFolder elsewhere(folder / "models");
   expectSame(loadSceneFile("../scenes/mine/a.toml").scene, loaded.scene);
-  // All of it may move.
+  // Everything may be moved together.
   fs::create_directory(folder / "moved");
   for (const char* part : {"models", "scenes", "sky \"1\".exr"}) {
     fs::rename(folder / part, folder / "moved" / part);
@@ -138,14 +138,14 @@ TEST_F(SceneWriter, WhatHasOnlyTheRootInCommonStaysAbsolute) {
   EXPECT_THAT(written(loaded), HasSubstr("model = \"/elsewhere/far/model.ply\""));
 }
 
-/// All keys of a table, and of those within it as "lights.type".
+/// Collects all keys of a table and its subtables, as in "lights.type".
 void collect(const toml::table& table, const std::string& place, std::set<std::string>& keys) {
   for (const auto& [key, value] : table) {
     const std::string path = place + std::string(key.str());
     keys.insert(path);
     if (const toml::table* inner = value.as_table()) {
       for (const auto& [name, entry] : *inner) {
-        // What stands under [media] and [objects] has names of its own.
+        // The tables below [media] and [objects] have free names.
         const bool named = entry.is_table();
         if (named) collect(*entry.as_table(), path + ".", keys);
         if (!named) keys.insert(path + "." + std::string(name.str()));
@@ -159,7 +159,7 @@ void collect(const toml::table& table, const std::string& place, std::set<std::s
   }
 }
 
-// What a user may write in two ways, the writer writes in one.
+// Where users may write something in two ways, the writer uses one.
 TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   std::set<std::string> wanted;
   const auto want = [&](const std::string& place, const auto& keys) {
@@ -317,7 +317,7 @@ TEST_F(SceneWriter, MediaWithoutNeedStayOutAndNamesAreMadeUnique) {
   EXPECT_THAT(written(loaded), HasSubstr("\nmedium = \"marble\"\n"));
   EXPECT_THAT(written(loaded), Not(HasSubstr("[media")));
   EXPECT_THAT(written(loaded), Not(HasSubstr("[objects")));
-  // One that only calls itself marble, and an empty name.
+  // One medium that merely calls itself marble, and one with an empty name.
   loaded.scene.objects[0].medium.eta = 1.7;
   loaded.scene.objects[2].medium = {"", {1, 1, 1}, {2, 2, 2}, 1.2};
   written(loaded);
