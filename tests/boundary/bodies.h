@@ -13,13 +13,14 @@ struct ClusteredBody {
   std::vector<std::uint32_t> clusterOfTriangle;
 };
 
-/// An icosahedron, divided that often and blown up to a sphere's area; every triangle is a cluster.
+/// An icosahedron, divided `divisions` times and scaled to a sphere's area; every triangle is a
+/// cluster.
 ClusteredBody sphere(double radiusMm, int divisions);
 
-/// A ball with a hollow; every triangle is a cluster, those of the hollow come last.
+/// A ball with a hollow; every triangle is a cluster, with those of the hollow last.
 ClusteredBody hollowSphere(double outerRadiusMm, double innerRadiusMm, int divisions);
 
-/// From z = -thickness to 0, of square cells; those of the top come first, then the bottom.
+/// A slab of square cells from z = -thickness to 0; the top's come first, then the bottom's.
 ClusteredBody slab(double halfWidthMm, double thicknessMm, int cells);
 
 }  // namespace opaline::test::boundary

@@ -9,8 +9,8 @@ struct Channel {
   double eta = 1.3;
 };
 
-/// What the diffusion equation needs of it (Grosjean 1956, d'Eon 2012). The moments of Fresnel's
-/// reflectance are integrated anew.
+/// A channel's data for the diffusion equation (Grosjean 1956, d'Eon 2012). The moments of
+/// Fresnel's reflectance are integrated independently.
 struct Diffusion {
   explicit Diffusion(const Channel& channel);
 
@@ -20,11 +20,11 @@ struct Diffusion {
   double attenuationPerMm;   ///< σ
   double boundary;           ///< A
   double meanTransmittance;  ///< F̄_t
-  double slantCosine;        ///< μ̄, of diffuse light that has entered
+  double slantCosine;        ///< μ̄, of diffuse light inside after entering
   double eta;
 };
 
-/// Exact unpolarised reflectance of a dielectric, from outside and from inside. Fresnel 1823.
+/// Exact unpolarised reflectance of a dielectric, from outside and from inside (Fresnel 1823).
 double reflectanceOutside(double eta, double cosine);
 double reflectanceInside(double eta, double cosine);
 

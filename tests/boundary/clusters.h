@@ -10,7 +10,7 @@ namespace opaline::test::boundary {
 
 using reference::Vector;
 
-/// Neighbouring triangles of a closed body that are one unknown of its boundary.
+/// Neighbouring triangles of a closed body that share one unknown of its boundary.
 struct Cluster {
   Vector centroidMm{};            ///< by area
   double areaMm2 = 0;             ///< of all triangles
@@ -27,12 +27,12 @@ struct TriangleClusters {
   std::size_t count() const { return list.size(); }
 };
 
-/// The triangles of the geometry's only body, joined as told.
+/// The triangles of the geometry's only body, joined as `ofTriangle` says.
 TriangleClusters clustersOf(const reference::Geometry& geometry,
                             std::span<const std::uint32_t> ofTriangle);
 
-/// The part of space that a cluster covers as seen from a point at an offset, signed: positive from
-/// inside. Near by it is that of a disc, at most one half.
+/// The signed part of space that a cluster covers as seen from a point at an offset, positive from
+/// inside. Nearby it is that of a disc, at most one half.
 double coverage(const Cluster& of, const Vector& offset);
 
 /// c of every cluster: the part of space that is inside, seen from its centroid, in [0, 1].

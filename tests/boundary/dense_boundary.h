@@ -10,7 +10,7 @@
 
 namespace opaline::test::boundary {
 
-/// The diffusion equation on a body's boundary, in one channel, with every pair of clusters.
+/// Solves the diffusion equation on a body's boundary in one channel, for every pair of clusters.
 /// Independent of the renderer.
 class DenseBoundary {
  public:
@@ -26,17 +26,18 @@ class DenseBoundary {
     std::vector<double> residuals;
   };
 
-  /// Of light that enters with these irradiances (one per cluster) and is scattered first at these
-  /// points: M = α'φ/(2A).
+  /// The solution for light that enters with these irradiances (one per cluster) and first scatters
+  /// at these points: M = α'φ/(2A).
   Solution solve(const std::vector<LightPoint>& first, std::span<const double> entering,
                  const GmresOptions& options = {}, std::span<const double> start = {}) const;
 
-  /// The same with the source at the second collisions, and light of the first alone added.
+  /// The same with the source at the second collisions; light of the first ones is added
+  /// separately.
   Solution solveFromSecond(const std::vector<LightPoint>& first,
                            const std::vector<LightPoint>& second, std::span<const double> entering,
                            const GmresOptions& options = {}) const;
 
-  /// The same with light of the first collisions by its rays.
+  /// The same, with light of the first collisions from its rays.
   Solution solveFromSecond(const std::vector<SingleExit>& exits,
                            const std::vector<LightPoint>& second, std::span<const double> entering,
                            const GmresOptions& options = {}) const;

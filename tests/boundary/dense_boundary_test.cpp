@@ -1,4 +1,4 @@
-// What must hold of the boundary solution for any medium.
+// Properties of the boundary solution for any medium.
 
 #include "boundary/dense_boundary.h"
 
@@ -42,7 +42,7 @@ TEST(DenseBoundary, SheetsCloserThanTheirClustersAreWide) {
   const ClusteredBody body = slab(20, 0.5, 16);
   const reference::Geometry geometry(body.scene);
   const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
-  // The exact part is one half; a point's, which grows without bound, would be 3 and more.
+  // The exact part is one half; a point's would be 3 and more, as it grows without bound.
   const std::vector<double> inside = insideOf(clusters);
   for (const double part : inside) {
     EXPECT_GT(part, 0);
@@ -50,7 +50,7 @@ TEST(DenseBoundary, SheetsCloserThanTheirClustersAreWide) {
   }
 }
 
-// Of a disc seen from its axis, and of anything from far away.
+// A disc seen from its axis, and any cluster from far away.
 TEST(DenseBoundary, CoverageOfADisc) {
   Cluster disc;
   disc.discRadiusMm = 1;
@@ -93,8 +93,8 @@ TEST(DenseBoundary, SecondCollisionsAndExitsShareTheFirst) {
   EXPECT_NEAR(after / before, 1, 0.01);
 }
 
-/// Fluence at one place inside of a point of light of power 1 at another: Green's identity once
-/// more, with what is known on the surface by then.
+/// Fluence at one place inside from a point of light of power 1 at another: Green's identity again,
+/// with the values that are known on the surface by then.
 double fluenceInside(const TriangleClusters& clusters, const DenseBoundary& equation,
                      const Vector& of, const Vector& at) {
   using namespace reference;
@@ -118,9 +118,9 @@ double fluenceInside(const TriangleClusters& clusters, const DenseBoundary& equa
   return sum;
 }
 
-// Diffusion with Robin's condition is its own adjoint: light goes from here to there as from there
-// to here, though neither the sums nor their matrix are symmetric. Between a place below the
-// outside of a ball and one beside its hollow.
+// Diffusion with Robin's condition is its own adjoint: light goes both ways alike, though neither
+// the sums nor their matrix are symmetric. Tested between a place below a ball's outside and one
+// beside its hollow.
 TEST(DenseBoundary, LightGoesThereAsBack) {
   const ClusteredBody body = hollowSphere(6, 3, 3);
   const reference::Geometry geometry(body.scene);
@@ -158,7 +158,7 @@ TEST(DenseBoundary, LeftSideOfASphere) {
   EXPECT_NEAR(mean / expected, 1, 0.005);
 }
 
-// Light along the normal of a sheet: what is not taken up and not let out comes back.
+// Light along the normal of a sheet: what is neither absorbed nor let out returns.
 TEST(DenseBoundary, LightIsMirroredInside) {
   constexpr double thickness = 0.3;
   const ClusteredBody body = slab(3, thickness, 8);
@@ -168,7 +168,7 @@ TEST(DenseBoundary, LightIsMirroredInside) {
   double taken = 0;
   for (const LightPoint& point : firstCollisions(geometry, clusters, medium, toLight))
     if (point.cluster == 0) taken += point.weight;
-  // Rays start a little off the surface.
+  // Rays start slightly off the surface.
   const double back = 0.04 * std::exp(-thickness);  // ((η-1)/(η+1))² = 0.04
   EXPECT_NEAR(taken, (1 - std::exp(-thickness)) * (1 + back), 4 * geometry.offsetMm());
 }

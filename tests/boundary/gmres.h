@@ -7,7 +7,7 @@
 namespace opaline::test::boundary {
 
 struct GmresOptions {
-  double tolerance = 1e-8;  ///< of the residual, relative to the right side
+  double tolerance = 1e-8;  ///< of the residual, relative to the right-hand side
   int mostSteps = 200;
 };
 
@@ -16,7 +16,7 @@ struct GmresResult {
   std::vector<double> residuals;  ///< relative, after each step
 };
 
-/// Saad and Schultz 1986, not restarted.
+/// Saad and Schultz 1986, without restarts.
 GmresResult gmres(
     const std::function<void(std::span<const double> from, std::span<double> to)>& product,
     std::span<const double> rightSide, std::span<const double> start,

@@ -18,7 +18,7 @@ double areaOf(const Body& body, std::uint32_t triangle) {
   return length(cross(body.positionsMm[corners[1]] - a, body.positionsMm[corners[2]] - a)) / 2;
 }
 
-/// Light of some flux mirrored at a point, to where it enters after that.
+/// Follows light of some flux, mirrored at a point, to where it enters next.
 void followOutside(const Geometry& geometry, const TriangleClusters& clusters, double eta,
                    SurfacePoint from, Vector direction, double flux,
                    std::vector<double>& mirrored) {

@@ -10,10 +10,10 @@ namespace opaline::test::boundary {
 /// are in shadow or not as a whole, with the cosines of their own normals.
 struct LightEntering {
   std::vector<double> irradiance;  ///< per cluster
-  /// The clusters, but placed where the light enters them: centroid, normal and start are those of
-  /// the lit part.
+  /// The clusters moved to where light enters them: centroid, normal and start are those of the lit
+  /// part.
   TriangleClusters places;
-  /// Irradiance of light that enters after it was mirrored on the outside, at any cosine.
+  /// Irradiance of light that enters after being mirrored on the outside, at any cosine.
   std::vector<double> mirrored;
 };
 

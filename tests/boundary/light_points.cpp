@@ -20,7 +20,7 @@ struct Node {
   double weight;
 };
 
-// Gauss and Legendre's, on [0, 1].
+// Gauss-Legendre nodes on [0, 1].
 constexpr std::array<Node, 3> three{
     {{0.112701665379258, 5.0 / 18}, {0.5, 8.0 / 18}, {0.887298334620742, 5.0 / 18}}};
 constexpr std::array<Node, 2> ofOthers{{{0.211324865405187, 0.5}, {0.788675134594813, 0.5}}};
@@ -32,8 +32,8 @@ struct Collision {
   double share;
 };
 
-// Within a length, so many that they count as all: as dense as light would be in a medium three
-// times as thin, since what gets far is little and yet all there is on the other side.
+// Points within a length, representing all collisions. They are as dense as for light in a medium
+// three times as thin: little light gets far, but it is all there is on the other side.
 std::vector<Collision> firstWithin(double lengthMm, double perMm) {
   constexpr int panels = 3;
   const double thinner = perMm / 3;
@@ -56,8 +56,8 @@ std::vector<Collision> othersWithin(double lengthMm, double perMm) {
   return collisions;
 }
 
-// In the body along a ray from a cluster, mirrored at its walls. Light whose mean slant to the ray
-// has a cosine less than 1 sees lengths longer by that.
+// Follows a ray from a cluster through the body, mirrored at its walls. Light with a mean slant to
+// the ray, of cosine below 1, travels correspondingly longer.
 void follow(const Geometry& geometry, const Cluster& cluster, std::uint32_t index, Vector direction,
             double slantCosine, const Diffusion& medium, std::vector<LightPoint>& points) {
   const double perMm = medium.extinctionPerMm / slantCosine;

@@ -29,7 +29,7 @@ double unscatteredOfPair(const Vector& offset, const Cluster& at, const Diffusio
          (1 - reflectanceInside(medium.eta, cosine)) / (fourPi * squared);
 }
 
-// Mean of the fluence of a disc of unit irradiance that deep below its middle.
+// Mean fluence at a depth below the middle of a disc of unit irradiance.
 double fluenceOfDisc(double z, double radiusMm, const Diffusion& medium) {
   const double far = std::hypot(z, radiusMm);
   const double sigma = medium.attenuationPerMm;

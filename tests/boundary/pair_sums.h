@@ -9,12 +9,12 @@
 
 namespace opaline::test::boundary {
 
-/// A point of light and its flux.
+/// Points of light and their fluxes.
 struct Flux {
   std::vector<double> x, y, z, power;
 };
 
-/// Those of points whose cluster lets light in; `entering` is irradiance, per cluster.
+/// The fluxes of points whose cluster lets light in; `entering` is irradiance per cluster.
 Flux fluxOf(const std::vector<LightPoint>& points, std::span<const double> entering,
             const TriangleClusters& clusters);
 
@@ -22,11 +22,11 @@ Flux fluxOf(const std::vector<LightPoint>& points, std::span<const double> enter
 void addFluence(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                 std::span<double> sum);
 
-/// Light of these points that leaves without another collision, added per area.
+/// Adds the light of these points that leaves without another collision, per area.
 void addUnscattered(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                     std::span<double> sum);
 
-/// Own points of segment 0 are discs: replaces what the pair sums gave for them.
+/// A cluster's own points of segment 0 are discs: replaces the pair sums' result for them.
 void correctOwnFluence(const std::vector<LightPoint>& points, std::span<const double> entering,
                        const TriangleClusters& clusters, const Diffusion& medium,
                        std::span<double> sum);

@@ -8,14 +8,14 @@
 
 namespace opaline::test::boundary {
 
-/// How much of the light that leaves one cluster enters another: E' = entries · M. Shape and index
-/// of refraction alone decide.
+/// How much of the light that leaves one cluster enters another: E' = entries · M. It depends only
+/// on shape and index of refraction.
 class Reentry {
  public:
-  /// Every pair that sees each other, from start to start.
+  /// Counts every pair that sees each other, from start to start.
   static Reentry ofPairs(const reference::Geometry& geometry, const TriangleClusters& clusters,
                          const Diffusion& medium);
-  /// Rays from every cluster, so many, stratified by the cosine.
+  /// Traces `rays` from every cluster, stratified by the cosine.
   static Reentry ofRays(const reference::Geometry& geometry, const TriangleClusters& clusters,
                         const Diffusion& medium, int rays);
   /// The same from places all over each cluster, about the facets' normals.

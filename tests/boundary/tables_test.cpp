@@ -22,7 +22,7 @@ struct SphereRow {
   const char* name;
   Channel medium;
   double radiusMm;
-  std::array<double, 20> exitance;  ///< from away from the light to towards it, irradiance 1
+  std::array<double, 20> exitance;  ///< from the far side to the side of the light, irradiance 1
 };
 
 constexpr SphereRow sphereRows[] = {
@@ -61,11 +61,11 @@ struct SlabRow {
   const char* name;
   Channel medium;
   double thicknessMm;
-  double halfWidths;  ///< of the slab that stands for an infinite one, in thicknesses
-  bool diffuse;       ///< light, else along the normal
+  double halfWidths;  ///< of the slab that represents an infinite one, in thicknesses
+  bool diffuse;       ///< diffuse light, else along the normal
   double reflected;
   double transmitted;
-  double most;  ///< error of what is scattered from the first collisions on
+  double most;  ///< error of the light from the first collisions on
 };
 
 constexpr SlabRow slabRows[] = {
@@ -114,7 +114,7 @@ std::string nameOf(const testing::TestParamInfo<Row>& row) {
 
 class SphereTable : public testing::TestWithParam<SphereRow> {};
 
-// Twenty bands of equal area: L1 of their exitances over their sum.
+// Error over twenty bands of equal area: L1 of their exitances, relative to the sum.
 double bandError(const SphereRow& row, const TriangleClusters& clusters,
                  std::span<const double> exitance) {
   std::array<double, 20> flux{};

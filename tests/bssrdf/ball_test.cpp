@@ -1,4 +1,4 @@
-// Colours of balls in even light, against light followed collision by collision in a ball.
+// Colours of balls in even light, against light traced from collision to collision in a ball.
 
 #include "bssrdf/ball.h"
 
@@ -18,8 +18,8 @@
 namespace opaline::bssrdf {
 namespace {
 
-/// In a ball that scatters alike in all directions, behind Fresnel's interface and an absorbing
-/// layer: of even light that got through the interface, what leaves again.
+/// A ball with isotropic scattering, Fresnel's interface and an absorbing layer: the share of even
+/// light that entered through the interface and leaves again.
 class FollowedBall {
  public:
   FollowedBall(double radius, double albedo, double eta, double layer)
@@ -40,7 +40,7 @@ class FollowedBall {
 
   double number() { return uniform_(random_); }
 
-  // Of light that is even outside and has got through, at (0, 0, R) and downwards.
+  // A direction of light that was even outside and has entered, at (0, 0, R) and downwards.
   Vector entered() {
     for (;;) {
       const double outside = std::sqrt(number());
@@ -93,7 +93,7 @@ class FollowedBall {
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
-constexpr int particles = 20'000;  // to some 0.002
+constexpr int particles = 20'000;  // precise to about 0.002
 
 double albedoOf(const Medium& medium) {
   return medium.sigmaSPrimePerMm[0] / (medium.sigmaSPrimePerMm[0] + medium.sigmaAPerMm[0]);

@@ -1,5 +1,5 @@
-// The directions in which light leaves: the shaders' own text as C++, against exact transfer in
-// slabs and against what energy demands.
+// The directions in which light leaves: the shaders' source as C++, against exact transfer in slabs
+// and conservation of energy.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ namespace {
 
 using test::integrate;
 
-/// Of one channel, 1 mm for a mean free path.
+/// A medium in one channel with a mean free path of 1 mm.
 shared::MediumData mediumOf(double eta, double albedo) {
   const double diffusion = (2 * (1 - albedo) + albedo) / 3;  // Grosjean 1956
   const double robin = (1 + threeC2(eta)) / (1 - twoC1(eta));
@@ -56,7 +56,7 @@ shared::MediumData mediumOf(double eta, double albedo) {
   return medium;
 }
 
-/// Light that has entered there (1) or comes through the body (0).
+/// For light that has entered at that place (1) or comes through the body (0).
 double law(const shared::MediumData& medium, double thickness, double entered, double cosine) {
   const glm::vec4 origin(glm::vec3(static_cast<float>(entered)), static_cast<float>(1 / thickness));
   return static_cast<double>(test::exits::exitLaw(medium, static_cast<float>(cosine), origin).x);
@@ -83,7 +83,7 @@ TEST(ExitDirectionsTest, IntegratePolynomialsOfTheThirdDegree) {
   }
 }
 
-// All light that leaves goes somewhere.
+// All light that leaves must go somewhere.
 TEST(ExitLawTest, MeanOverDirectionsIsOne) {
   for (const double eta : {1.01, 1.3, 1.5, 2.0})
     for (const double albedo : {0.0, 0.5, 0.84, 0.96, 1.0})
@@ -109,8 +109,8 @@ TEST(ExitLawTest, UnknownOriginLeavesEvenly) {
             glm::vec3(1));
 }
 
-/// `tools/exit_law.py --table`: radiance over that of as much light that leaves evenly, at 0, 30,
-/// 60 and 75 degrees, in light along the normal.
+/// Output of `tools/exit_law.py --table`: radiance relative to that of as much even light, at 0,
+/// 30, 60 and 75 degrees, for light along the normal.
 struct Row {
   double eta;
   double thickness;
@@ -162,7 +162,8 @@ TEST(ExitLawTest, IsThatOfExactTransferInSlabs) {
       EXPECT_NEAR(law(medium, row.thickness, 1, cosine) / row.lit[i], 1, 0.03)
           << row.eta << ' ' << row.thickness << ' ' << row.albedo << ' ' << degrees[i];
       const double through = law(medium, row.thickness, 0, cosine);
-      // What little light comes through much that absorbs is steeper than the law's straight line.
+      // Where little light passes a thick absorbing slab, it is steeper than the law's straight
+      // line.
       const bool isDark = row.albedo < 0.9 && row.thickness > 2;
       EXPECT_LT(std::abs(through - row.other[i]),
                 (isDark ? std::abs(1 - row.other[i]) : 0.03 * row.other[i]))

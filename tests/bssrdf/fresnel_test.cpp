@@ -114,7 +114,7 @@ TEST(MeanCosineInside, IsTheIntegral) {
   }
 }
 
-// Where nothing refracts or reflects it is that of diffuse light, ∫ μ² dμ / ∫ μ dμ.
+// Without refraction or reflection it is that of diffuse light, ∫ μ² dμ / ∫ μ dμ.
 TEST(MeanCosineInside, OfEqualMediaIsTwoThirds) {
   EXPECT_NEAR(meanCosineInside(1.0), 2.0 / 3, 1e-6);
 }
@@ -149,8 +149,8 @@ double momentInside(double eta, int power) {
              0, 1, 1000);
 }
 
-// The fits approximate integrals of the exact reflectance. Their coefficients are published with
-// six digits and cancel from 1641 to below 1, which alone explains some thousandths.
+// The fits approximate integrals of the exact reflectance. Their coefficients have six published
+// digits and cancel from 1641 to below 1, which alone explains some thousandths.
 TEST(FresnelFits, ComeCloseToTheirIntegrals) {
   for (const double eta : {1.01, 1.1, 1.2, 1.3, 1.4, 1.5, 1.7, 2.0, 2.2, 2.39}) {
     EXPECT_NEAR(twoC1(eta), momentInside(eta, 1), 4e-3) << eta;

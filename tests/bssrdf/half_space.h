@@ -9,9 +9,9 @@
 
 namespace opaline::test {
 
-/// Exact radiative transfer in a half-space that scatters alike in all directions, behind Fresnel's
-/// interface and an absorbing layer: Chandrasekhar 1960, section 38, for what the medium gives back
-/// of light from each direction, by his function H.
+/// Exact radiative transfer in a half-space with isotropic scattering, Fresnel's interface and an
+/// absorbing layer. What the medium returns of light from each direction follows from
+/// Chandrasekhar's function H (1960, section 38).
 class HalfSpace {
  public:
   HalfSpace(double albedo, double eta) : albedo_(albedo), eta_(eta) {
@@ -21,7 +21,7 @@ class HalfSpace {
     findH();
   }
 
-  /// Of even light from outside that got through the interface, what leaves through a layer.
+  /// The share of even outside light that entered through the interface and leaves through a layer.
   double ofEvenLight(double thickness) const {
     double entering = 0;
     std::vector<double> down;
@@ -36,7 +36,7 @@ class HalfSpace {
     return leaving(thickness, up);
   }
 
-  /// Of a beam with that cosine inside.
+  /// The same for a beam with that cosine inside.
   double ofBeam(double thickness, double cosine) const {
     std::vector<double> up;
     const double through = std::exp(-thickness / cosine);
@@ -52,7 +52,7 @@ class HalfSpace {
     double h;
   };
 
-  // Gauss and Legendre's, five in each of some panels.
+  // Gauss-Legendre nodes, five in each panel.
   void addNodes(double low, double high) {
     constexpr double at[] = {-0.906179845938663993, -0.538469310105683091, 0, 0.538469310105683091,
                              0.906179845938663993};
@@ -85,14 +85,14 @@ class HalfSpace {
     }
   }
 
-  // Radiance upwards at a node by radiance downwards at another.
+  // Radiance upwards at one node per radiance downwards at another.
   double back(std::size_t up, std::size_t down) const {
     const Node& i = nodes_[up];
     const Node& j = nodes_[down];
     return albedo_ / 2 * i.h * j.h * j.cosine * j.weight / (i.cosine + j.cosine);
   }
 
-  // With all that is mirrored inside, back and forth.
+  // Includes all reflections back and forth inside.
   double leaving(double thickness, std::vector<double> first) const {
     std::vector<double> up = first;
     for (int round = 0; round < 5000; ++round) {

@@ -15,7 +15,7 @@ TEST(MeasuredMedia, AreTwelve) {
   EXPECT_EQ(measuredMedia().size(), 12U);
 }
 
-// Jensen et al. 2001, Figure 5, last column: rounded, and of a measurement that the dipole
+// Jensen et al. 2001, Figure 5, last column. The values are rounded measurements, which the dipole
 // explains to about ±0.015.
 TEST(MeasuredMedia, DipoleGivesThePublishedReflectance) {
   for (const MeasuredMedium& row : measuredMedia()) {

@@ -36,7 +36,7 @@ TEST(PaintTest, WithoutALayerNothingChanges) {
   }
 }
 
-// What a medium of that colour gives back of even light, once with a layer and once without.
+// What a medium of that colour returns of even light, with a layer and without.
 TEST(PaintTest, LayersGiveTheColorsThatTheyAreFor) {
   for (const double eta : {1.3, 1.4, 1.5})
     for (const double albedo : {0.9995, 0.99, 0.95}) {
@@ -51,8 +51,8 @@ TEST(PaintTest, LayersGiveTheColorsThatTheyAreFor) {
     }
 }
 
-// Diffusion with its source at a depth, scaled, against a beam. On a plane the fluence at the
-// surface is S / (√(σ_a D) + 1/2A') whatever the source S.
+// Diffusion with a scaled source at a depth, against a beam. On a plane the fluence at the surface
+// is S / (√(σ_a D) + 1/2A') for any source S.
 TEST(PaintTest, LightFromADepthLeavesAsMuchAsInAHalfSpace) {
   for (const double eta : {1.3, 1.4, 1.5})
     for (const double albedo : {0.9995, 0.99, 0.95}) {

@@ -54,8 +54,8 @@ long double writtenOut(const Profile& p, long double r) {
   return p.albedo * (p.cPhi * fluence + p.cE * flux);
 }
 
-// Joseph, Wiscombe and Weinman 1976, Eqs. 4 to 6: f = g², g' = g / (1 + g), and all that is left of
-// scattering.
+// Joseph, Wiscombe and Weinman 1976, Eqs. 4 to 6: f = g², g' = g / (1 + g), and the scattering that
+// remains.
 TEST(ScaledScatteringTest, TakesTheForwardPeakAway) {
   for (const double g : {0.0, 0.3, 0.9, 0.99}) {
     Medium medium{"", {0.74, 2, 1e-3}, {0.032, 0, 10}, 1.3};
@@ -87,7 +87,7 @@ TEST(Profile, IsThePublishedFormula) {
     EXPECT_NEAR(profile(0) / static_cast<double>(writtenOut(profile, 0)), 1, 1e-12);
     for (double r = 1e-6 * profile.zRealMm; r < longest; r *= 1.3) {
       const auto expected = static_cast<double>(writtenOut(profile, static_cast<long double>(r)));
-      // Beyond 10⁴ mean free paths even the reference has lost the digits that are asked for.
+      // Beyond 10⁴ mean free paths even the reference lacks the digits that the test needs.
       if (profile.model == Model::BetterDipole && r > 1e4 * profile.zRealMm) break;
       if (expected < std::numeric_limits<double>::min()) break;
       ASSERT_NEAR(profile(r) / expected, 1, 1e-12) << r << ' ' << profile.sigmaTrPerMm;
@@ -151,7 +151,7 @@ TEST(Disc, GrowsToTheTotalReflectance) {
   }
 }
 
-// What is not absorbed comes out again.
+// Without absorption all light returns.
 TEST(TotalReflectance, IsOneWithoutAbsorption) {
   for (const Model model : {Model::Dipole, Model::BetterDipole}) {
     for (const double eta : {1.01, 1.3, 1.5, 2.0}) {
@@ -186,7 +186,7 @@ TEST(TotalReflectance, IsZeroWithoutScattering) {
   }
 }
 
-// Jensen et al. 2001: the total reflectance in terms of α' and A alone.
+// Jensen et al. 2001: the total reflectance in terms of α' and A only.
 TEST(TotalReflectance, DipoleDependsOnAlbedoAlone) {
   const Medium medium{"m", {1, 10, 0.1}, {0.2, 2, 0.02}, 1.3};
   const double albedo = 1 / 1.2;

@@ -1,4 +1,4 @@
-// The shaders' own text, compiled as C++: what float arithmetic makes of it, apart from any device.
+// The shaders' source compiled as C++: the effect of float arithmetic, independent of any device.
 
 #include <gtest/gtest.h>
 

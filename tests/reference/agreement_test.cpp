@@ -1,5 +1,5 @@
-// The GPU's renderer and the reference show the same scene at the same pixels. They share no code
-// but media, Fresnel's formulas, profiles and spherical harmonics.
+// The GPU renderer and the reference show the same scene in the same pixels. They share no code
+// except media, Fresnel's formulas, profiles and spherical harmonics.
 
 #include <gtest/gtest.h>
 
@@ -132,8 +132,9 @@ Difference differenceOf(const Image& found, const Image& truth) {
   return difference;
 }
 
-// Surfels of two thirds of marble's shortest mean free path, of three sources each: the lattice's
-// error is far below that of a shadow's border, which is as soft as a few texels of the shadow map.
+// Surfels are two thirds of marble's shortest mean free path, with three sources each. The
+// lattice's error is far below that of a shadow's border, which is blurred over a few texels of the
+// shadow map.
 TEST_F(AgreementTest, SumOverAllSurfelsIsTheIntegral) {
   for (const Transport transport : {Transport::Dipole, Transport::BetterDipole}) {
     const Difference difference = differenceOf(rendered({Aov::Exitance}, Sum::All, transport)[0],
@@ -144,7 +145,7 @@ TEST_F(AgreementTest, SumOverAllSurfelsIsTheIntegral) {
   }
 }
 
-// What is left is what the surfels are too coarse for: fewer and larger ones are further off.
+// The remaining error is due to coarse surfels: fewer and larger ones are less precise.
 TEST_F(AgreementTest, FinerSurfelsComeNearerToTheIntegral) {
   const Image truth = exact({Aov::Exitance}, Transport::Dipole)[0];
   double before = 0;

@@ -34,7 +34,7 @@ inline reference::Scene referenceOf(const Scene& scene) {
   return result;
 }
 
-/// Without light, seen from +z.
+/// A scene without light, seen from +z.
 inline reference::Scene sceneOfBodies(std::vector<reference::Body> bodies) {
   reference::Scene scene;
   scene.bodies = std::move(bodies);
@@ -42,7 +42,7 @@ inline reference::Scene sceneOfBodies(std::vector<reference::Body> bodies) {
   return scene;
 }
 
-// What follows is written down from the papers once more, so that it shares nothing with the code.
+// The following is written again from the papers, so that it shares nothing with the code.
 
 /// Fresnel 1823, from outside.
 inline double fresnelTransmittance(double eta, double cosine) {
@@ -79,7 +79,7 @@ struct DipoleByTheBook {
     return albedo / (4 * std::numbers::pi) * sum;
   }
 
-  /// Over a disc of that radius.
+  /// The integral over a disc of that radius.
   double disc(double radius) const {
     double sum = 0;
     for (const double z : {zReal, zVirtual}) {

@@ -1,5 +1,5 @@
-// Boundary transport in a medium that scatters forwards, against paths that follow Henyey and
-// Greenstein's phase function as it is.
+// Boundary transport in a forward-scattering medium, against paths that follow Henyey and
+// Greenstein's phase function itself.
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ class ForwardScatteringTest : public RendererTest {
   }
 };
 
-// Even scattering with the same reduced coefficients is 3, 10 and 19 % too bright here.
+// Isotropic scattering with the same reduced coefficients would be 3, 10 and 19 % too bright here.
 TEST_F(ForwardScatteringTest, AbsorbingBallIsAsBrightAsPathsSay) {
   Medium medium = *findMedium("skin1");
   medium.g = 0.9;
@@ -76,7 +76,7 @@ TEST_F(ForwardScatteringTest, AbsorbingBallIsAsBrightAsPathsSay) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / truth[c], 1, most[c]) << c;
 }
 
-// Similarity (van de Hulst 1980): where little is absorbed and the body is thick, g does not show.
+// Similarity (van de Hulst 1980): with little absorption and a thick body, g has no visible effect.
 TEST_F(ForwardScatteringTest, ThickWhiteBallsLookAlike) {
   Medium medium{"white", {4, 4, 4}, {0.004, 0.004, 0.004}, 1.4};
   const Vec3 toLight{0.5F, 0.3F, 0.8F};

@@ -1,5 +1,5 @@
-// Opaque bodies inside media, as path tracing has them: where hardly anything scatters, geometry
-// says how much light they take.
+// Opaque bodies inside media in path tracing: where hardly anything scatters, geometry tells how
+// much light they absorb.
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,8 @@ namespace {
 
 using test::sphere;
 
-// Of parallel light on a ball the part a²/R² meets its core, and of that all but its share is gone.
-// Nothing lies between medium and core that would mirror any, whatever the core's index of
-// refraction.
+// Of parallel light on a ball, the part a²/R² hits the core, which absorbs all but its share.
+// Nothing between medium and core mirrors light, whatever the core's index of refraction.
 TEST(InclusionTest, ACoreTakesTheLightThatMeetsIt) {
   constexpr double ballMm = 10;
   constexpr double coreMm = 6;

@@ -27,7 +27,7 @@ using reference::Irradiance;
 
 using std::numbers::pi;
 
-/// Simpson's rule on intervals that grow from `from` by a constant factor.
+/// Simpson's rule on intervals that grow by a constant factor.
 double quadrature(const std::function<double(double)>& f, double from, double to) {
   constexpr int panels = 400;
   constexpr double smallest = 1e-4;
@@ -50,7 +50,7 @@ reference::SurfacePoint pointAt(const Vector& position, std::uint32_t body = 0) 
   return point;
 }
 
-/// Everything that a sum needs, from a scene.
+/// A scene and everything needed to integrate over it.
 struct Solved {
   reference::Scene scene;
   Geometry geometry;
@@ -83,8 +83,8 @@ double discOf(Transport transport, std::size_t channel, double radius) {
 
 const double entered = pi * bssrdf::meanTransmittance(1.5);
 
-/// A circle with triangles around its centre, of 64 sides and the area of the disc. By how much its
-/// edge strays from the circle, 0.1 %, matters only squared.
+/// A circle of triangles around its centre, with 64 sides and the disc's area. The edge's deviation
+/// of 0.1 % from the circle only matters squared.
 Mesh discMesh(double radius) {
   constexpr std::uint32_t sides = 64;
   const double step = 2 * pi / sides;
@@ -125,9 +125,9 @@ TEST_P(TransportTest, PlaneHasTheTotalReflectance) {
   }
 }
 
-// B = E · D(2R): on a sphere the area element is 2π r dr in the chord r. A vertex of the mesh lies
-// on the sphere; what the facets lack falls with the square of their size, so two meshes tell what
-// none would lack (Richardson 1911).
+// B = E · D(2R): on a sphere the area element is 2π r dr in the chord r. The mesh's vertices lie on
+// the sphere. The error of the facets falls with the square of their size, so two meshes give the
+// limit (Richardson 1911).
 TEST_P(TransportTest, SphereHasItsClosedForm) {
   for (const double radius : {0.5, 3.0, 25.0}) {
     std::array<reference::Exitance, 2> found;
@@ -144,8 +144,8 @@ TEST_P(TransportTest, SphereHasItsClosedForm) {
   }
 }
 
-// Against the closed form nothing is left but the facets, each of which lies below its sphere by
-// the square of its size: order two.
+// Only the facets differ from the closed form. Each lies below the sphere by the square of its
+// size, so the order is two.
 TEST_P(TransportTest, ConvergesWithTheSquareOfTheFacets) {
   constexpr float radius = 3;
   std::array<double, 3> errors{};
@@ -162,7 +162,7 @@ TEST_P(TransportTest, ConvergesWithTheSquareOfTheFacets) {
   }
 }
 
-// The tolerance holds: against the same with one a thousand times smaller.
+// The error is within the tolerance, judged by a tolerance a thousand times smaller.
 TEST_P(TransportTest, ErrorIsWithinTheTolerance) {
   const auto scene = uniformlyLit(box({0, 0, 0}, {6, 4, 9}, 3));
   const Solved exact(scene, GetParam(), 1e-6);
@@ -211,8 +211,8 @@ TEST(IntegralTest, PlaneUnderALamp) {
   }
 }
 
-// A sphere of radius r at height H over it, all of it above the horizon: E(r) = π L (ρ/d)² H/d
-// without Fresnel's term, which is hardly there.
+// A sphere of radius ρ at height H, wholly above the horizon: E(r) = π L (ρ/d)² H/d. Fresnel's term
+// is negligible.
 TEST(IntegralTest, PlaneUnderASphereLight) {
   Medium medium = marble();
   medium.eta = 1.01;
@@ -295,8 +295,7 @@ double besideShadow(const DipoleByTheBook& dipole, double distance) {
   return irradiance * (whole + rest);
 }
 
-/// A sheet in the sun above, one side of it in the shadow of another, whose edge runs at that
-/// angle.
+/// A sheet under the sun, half of it in the shadow of another, whose edge has that angle.
 reference::Scene halfShadowed(double angle) {
   const Vector across{std::cos(angle), std::sin(angle), 0};
   const Vector along{-across[1], across[0], 0};
@@ -308,7 +307,7 @@ reference::Scene halfShadowed(double angle) {
   return scene;
 }
 
-// With a mesh that lies straight to the border and with one that does not.
+// With a mesh aligned with the border and with one that is not.
 TEST(ShadowTest, HalfPlane) {
   for (const double angle : {0.0, 0.3}) {
     const Solved solved(halfShadowed(angle), Transport::Dipole, 1e-3);
@@ -326,12 +325,12 @@ TEST(ShadowTest, HalfPlane) {
   }
 }
 
-// ---- what does not belong together
+// ---- what must stay separate
 
 TEST(IntegralTest, BodiesDoNotLeakIntoEachOther) {
   auto scene = halfShadowed(0);
   const Solved solved(scene, Transport::Dipole, 1e-2);
-  // The upper sheet is in the sun, the one below it not; neither knows of the other.
+  // The upper sheet is in the sun, the lower one is not; neither affects the other.
   const double upper = solved.integral.at(pointAt({-100, 0, 5}, 1)).value[0];
   EXPECT_NEAR(upper / besideShadow(DipoleByTheBook(marble(), 0), 100), 1, 1e-2);
   EXPECT_LT(solved.at({-60, 0, 0}).value[0], 1e-3 * upper);

@@ -36,7 +36,7 @@ OpaqueMaterial luminous(double radiance, double albedo) {
   return material;
 }
 
-/// A square across z.
+/// A square perpendicular to z.
 Mesh square(const Vec3& centre, float half) {
   Mesh mesh;
   for (const float y : {-1.0F, 1.0F})
@@ -49,7 +49,7 @@ Mesh square(const Vec3& centre, float half) {
   return mesh;
 }
 
-/// What is seen of a point straight from a direction, by many paths.
+/// A point as seen from a direction, by many paths.
 class Eye {
  public:
   explicit Eye(const Scene& scene, int bounces = 1000)
@@ -95,7 +95,7 @@ TEST(OpaqueTruthTest, LambertAndGgxUnderADirectionalLight) {
   const Colour matt = Eye(scene).radianceFrom({0, 0, 40}, {1, 1, 0}, 1);
   EXPECT_NEAR(matt[0], 0.8 * 0.8 * 3 / pi, 1e-6);
   EXPECT_NEAR(matt[1], 0.5 * 0.8 * 3 / pi, 1e-6);
-  // A metal of little roughness, whose facets send next to nothing on.
+  // A metal of low roughness, where reflection between facets is negligible.
   OpaqueMaterial metal;
   metal.baseColor = {1, 0.5F, 0.5F};
   metal.metallic = 1;
@@ -108,7 +108,7 @@ TEST(OpaqueTruthTest, LambertAndGgxUnderADirectionalLight) {
   EXPECT_NEAR(Eye(scene).radianceFrom(40.0 * out, {0, 0, 0}, 1)[1] / expected, 1, 0.01);
 }
 
-// glTF 2.0, appendix B: the two are mixed, not their numbers.
+// glTF 2.0, appendix B mixes the two results, not their parameters.
 TEST(OpaqueTruthTest, HalfMetalIsTheMeanOfMetalAndDielectric) {
   OpaqueMaterial material;
   material.baseColor = {0.8F, 0.4F, 0.1F};
@@ -124,7 +124,7 @@ TEST(OpaqueTruthTest, HalfMetalIsTheMeanOfMetalAndDielectric) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(mixed[c] / mean[c], 1, 1e-6);
 }
 
-// Whatever is white is as bright as its surroundings.
+// White surfaces are as bright as their surroundings.
 TEST(OpaqueTruthTest, WhiteFurnace) {
   for (const double roughness : {0.1, 0.5, 1.0})
     for (const float metallic : {0.0F, 0.5F, 1.0F}) {
@@ -149,8 +149,8 @@ TEST(OpaqueTruthTest, LightGoesRoundInAHollowBall) {
   EXPECT_NEAR(Eye(scene, 1).radianceFrom({1, 0, 1}, {5, 1, 0}, 1000)[1], 0.5 * 1.7, 1e-3);
 }
 
-// The middle of a square of half edge a sees one that faces it, as large and that far away: E of
-// one of its quarters by Lambert 1760.
+// The middle of a square of half edge a faces an equal one at that distance. E of one of its
+// quarters is by Lambert 1760.
 TEST(OpaqueTruthTest, APlateShinesOnAnother) {
   Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), mattMaterial({1, 1, 1})),
                                      opaqueBody(square({0, 0, 8}, 10), luminous(2, 0))});
@@ -160,7 +160,7 @@ TEST(OpaqueTruthTest, APlateShinesOnAnother) {
   EXPECT_NEAR(Eye(scene).radianceFrom({0, 0, 4}, {0, 0, 0}, 100'000)[1] / expected, 1, 0.01);
 }
 
-// Of a sphere that stands wholly above a surface element a part (R/r)² cos θ is its sky's.
+// A sphere wholly above a surface element covers (R/r)² cos θ of its sky.
 TEST(OpaqueTruthTest, ABallHidesItsPartOfTheSky) {
   Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 100), mattMaterial({1, 1, 1})),
                                      opaqueBody(test::sphere({0, 0, 6}, 5, 5), mattMaterial({}))});
@@ -169,8 +169,8 @@ TEST(OpaqueTruthTest, ABallHidesItsPartOfTheSky) {
   EXPECT_NEAR(Eye(scene).radianceFrom({8, 0, 1}, {8, 0, 0}, 200'000)[1], 1 - hidden, 0.003);
 }
 
-// A white ball in an even light is not seen, a white floor below it neither: what leaves the ball
-// is what would without the floor. Of the particles that meet it F̄_t enter.
+// In even light a white ball is invisible, also with a white floor below: as much leaves the ball
+// as without the floor. F̄_t of the particles that hit it enter.
 TEST(OpaqueTruthTest, AWhiteFloorIsNotSeenInAWhiteFurnace) {
   const Medium white{"white", {2, 2, 2}, {0, 0, 0}, 1.3};
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 2.01F}, 2, 4), white),
@@ -181,11 +181,11 @@ TEST(OpaqueTruthTest, AWhiteFloorIsNotSeenInAWhiteFurnace) {
   const double left = fluxThatLeft(eye.tracer());
   const double expected = pi * 4 * pi * 4 * bssrdf::meanTransmittance(1.3);
   EXPECT_NEAR(left / expected, 1, 0.03);
-  // So is the floor itself, close to the ball, which mirrors and gives back light.
+  // The floor itself is invisible too, close to the ball, which mirrors and returns light.
   EXPECT_NEAR(eye.radianceFrom({2.5, 0, 1}, {1.5, 0, 0}, 50'000)[1], 1, 0.03);
 }
 
-// Light of a plate enters a ball above it as that of an equal lamp does.
+// Light of a luminous plate enters a ball above it like that of an equal lamp.
 TEST(OpaqueTruthTest, EmissionEntersMedia) {
   const Medium thin{"thin", {0.5, 0.5, 0.5}, {0, 0, 0}, 1.3};
   const auto leftOf = [&](bool lamp) {
@@ -201,7 +201,7 @@ TEST(OpaqueTruthTest, EmissionEntersMedia) {
   EXPECT_NEAR(leftOf(false) / leftOf(true), 1, 0.03);
 }
 
-/// Left half transparent.
+/// A material whose left half is transparent.
 OpaqueMaterial halfCutOut() {
   TexturePixels pixels;
   pixels.width = 2;
@@ -231,7 +231,7 @@ TEST(OpaqueTruthTest, ALampFoundByRaysAndBySamplesIsOne) {
   polished.roughness = 0.1F;
   Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), polished)});
   scene.lighting.areas = {DiscLight{{0, 0, 30}, {0, 0, -1}, 20, {1, 1, 1}}};
-  // The lobe lies within the disc, so that it is as bright as a white sky's mirror image.
+  // The lobe lies within the disc, so it is as bright as the mirror image of a white sky.
   Scene sky = scene;
   sky.lighting = {};
   sky.lighting.ambient = {1, 1, 1};
@@ -239,7 +239,8 @@ TEST(OpaqueTruthTest, ALampFoundByRaysAndBySamplesIsOne) {
               Eye(sky).radianceFrom({0, 0, 5}, {0, 0, 0}, 20'000)[1], 0.006);
 }
 
-// By the exact integral opaque bodies show the light of lights and sky, and cast shadows on media.
+// With the exact integral, opaque bodies show the direct light of lights and sky, and cast shadows
+// on media.
 TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
   Scene scene =
       test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 4)),
@@ -271,9 +272,9 @@ TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
   EXPECT_GT(shaded, 0);
 }
 
-// A ball on an endless ground under light from straight above. Of what leaves a place of the ground
-// at a distance d from its middle, (R/d)³ meets it; that is lit from R√2 on: ρ√2 of the light that
-// meets it from above, without the light that goes on from one to the other.
+// A ball on an endless ground, lit from straight above. Of the light from a place of the ground at
+// distance d from the ball's middle, (R/d)³ hits it. The ground is lit from R√2 on. That gives ρ√2
+// of the light from above, without further bounces.
 TEST(OpaqueTruthTest, AnEndlessGroundLightsABall) {
   const Medium white{"white", {1, 1, 1}, {0, 0, 0}, 1.01};
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 5, 0}, 5, 4), white)});
@@ -291,8 +292,8 @@ TEST(OpaqueTruthTest, AnEndlessGroundLightsABall) {
   EXPECT_NEAR(leftOf() / (pi * 25), 1 + 0.5 * std::sqrt(2.0), 0.03);
 }
 
-// Of light from everywhere half comes from below a black ground, and none of that reaches a ball on
-// it; nor do lights from there.
+// Half of even light comes from below a black ground, and does not reach a ball on it; nor do
+// lights from there.
 TEST(OpaqueTruthTest, AnEndlessGroundHidesWhatIsBelow) {
   const Medium white{"white", {1, 1, 1}, {0, 0, 0}, 1.01};
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 5, 0}, 5, 4), white)});
@@ -319,7 +320,7 @@ TEST(OpaqueTruthTest, AnEndlessGroundHidesWhatIsBelow) {
   EXPECT_EQ(leftOf(), 0);
 }
 
-// A ground counts for no size.
+// A ground does not count towards sizes.
 TEST(OpaqueTruthTest, AGroundCountsForNoSize) {
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 3))});
   const double alone = boxOf(scene).diagonalMm();
@@ -351,7 +352,8 @@ TEST(OpaqueTruthTest, LightGoesThroughASheet) {
   EXPECT_NEAR(directLightOf(scene, irradiance, look).value[1], 0.2 * 0.8 * 3 / pi, 1e-6);
 }
 
-// In a white furnace a white lantern is not seen, mirror or none, nor is it by a ball inside.
+// In a white furnace a white lantern is invisible, with a mirroring surface or without, also to a
+// ball inside.
 TEST(OpaqueTruthTest, ALanternIsNotSeenInAWhiteFurnace) {
   for (const float specular : {0.0F, 1.0F}) {
     OpaqueMaterial material = paper(0.5, {1, 1, 1});
@@ -370,7 +372,7 @@ TEST(OpaqueTruthTest, ALanternIsNotSeenInAWhiteFurnace) {
   }
 }
 
-// All the light of a lamp in a white lantern gets out, evenly.
+// All light of a lamp in a white lantern gets out, evenly.
 TEST(OpaqueTruthTest, ALampInALantern) {
   Scene scene =
       test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 10, 4), paper(0.3, {1, 1, 1}))});

@@ -18,12 +18,12 @@ using std::numbers::pi;
 
 constexpr double eta = 1.4;
 
-/// Absorbs nothing, and hardly any light passes the bodies below straight.
+/// Absorbs nothing, and hardly any light passes straight through the bodies below.
 Medium white() {
   return {"white", {2, 2, 2}, {0, 0, 0}, eta};
 }
 
-/// One value all over, as a picture keeps it.
+/// A texture with one value everywhere.
 Texture plainTexture(const Vector& value) {
   TexturePixels pixels;
   pixels.width = pixels.height = 1;
@@ -39,7 +39,7 @@ Texture plainNormal(const Vector& normal) {
   return plainTexture(0.5 * (normal + Vector{1, 1, 1}));
 }
 
-/// With textures along x and y.
+/// A body with texture coordinates along x and y.
 Body bodyWith(Mesh mesh, const TranslucentSurface& surface) {
   for (const Vec3& place : mesh.positionsMm)
     mesh.textureCoordinates[0].push_back({place[0], -place[1]});
@@ -67,7 +67,7 @@ double leftFlux(const PathTracer& tracer) {
   return left;
 }
 
-// The top of a box, lit from straight above. All that enters leaves.
+// The top of a box, lit from straight above; all light that enters leaves.
 TEST(OwnSurfaceTest, LightEntersByTheNormalOfTheTexture) {
   for (const double tilt : {0.0, 0.5, 1.2}) {
     const Vector normal{std::sin(tilt), 0, std::cos(tilt)};
@@ -82,7 +82,7 @@ TEST(OwnSurfaceTest, LightEntersByTheNormalOfTheTexture) {
   }
 }
 
-// Its distribution times Smith's height-correlated masking (Heitz 2014), over 4 cos in cos out,
+// GGX's distribution times Smith's height-correlated masking (Heitz 2014), over 4 cos in cos out,
 // where the half vector is the normal.
 double ggxHeadOn(double alpha, double in, double out) {
   const auto lambda = [&](double c) {
@@ -91,7 +91,7 @@ double ggxHeadOn(double alpha, double in, double out) {
   return 1 / (pi * alpha * alpha) / ((1 + lambda(in) + lambda(out)) * 4 * in * out);
 }
 
-// Seen from above, where nothing has scattered yet.
+// Seen from above, before anything has scattered.
 TEST(OwnSurfaceTest, HighlightsHaveTheNormalAndTheRoughnessOfTheTextures) {
   const Vector normal{std::sin(0.3), 0, std::cos(0.3)};
   const double out = normal[2];
@@ -108,8 +108,8 @@ TEST(OwnSurfaceTest, HighlightsHaveTheNormalAndTheRoughnessOfTheTextures) {
   EXPECT_NEAR(found / expected, 1, 0.001);
 }
 
-// What leaves a white ball and what it mirrors add up to the light around it, close to its edge
-// too.
+// The light that leaves a white ball and the light that it mirrors sum to its surroundings, also
+// near its edge.
 TEST(OwnSurfaceTest, AWhiteBallIsNotSeenInAWhiteFurnaceHoweverRough) {
   for (const float roughness : {0.1F, 0.6F}) {
     Scene scene =

@@ -1,4 +1,4 @@
-// How the surface is divided into pieces over which E is known.
+// The division of the surface into pieces with known E.
 
 #include <gtest/gtest.h>
 
@@ -66,8 +66,7 @@ TEST(PatchesTest, FluxIsThatOfTheLitSurface) {
   ASSERT_TRUE(patches);
   const double entering = fresnelTransmittance(1.5, 1);
   EXPECT_NEAR(fluxOf(*patches) / (entering * (400 - std::numbers::pi * 9)), 1, 1e-4);
-  // The border is followed, all else is coarse: about 2πr/0.02 edges' length and 400 mm² of
-  // squares.
+  // Only the border is refined: about 2πr/0.02 edges, and 400 mm² of coarse squares.
   EXPECT_GT(patches->withBorders, 900U);
   EXPECT_LT(patches->size(), 9000U);
   for (const auto& moments : patches->moments) {
@@ -81,7 +80,7 @@ TEST(PatchesTest, SmoothLightOverSmallTrianglesNeedsNoMore) {
   scene.lighting.ambient = {1, 1, 1};
   const reference::Geometry geometry(scene);
   const reference::Irradiance irradiance(geometry);
-  // The first only looks closer and then takes it back.
+  // The first only looks more closely, and then undoes the division.
   for (const double largest : {0.1, 10.0}) {
     const auto patches = makePatches(geometry, irradiance, 0, {1e-3, largest, 0.01});
     ASSERT_TRUE(patches);

@@ -1,4 +1,4 @@
-// Volumetric light transport against tables that another program made, and against exact transfer.
+// Volumetric light transport against tables made by another program, and against exact transfer.
 
 #include <gtest/gtest.h>
 
@@ -28,23 +28,23 @@ using test::Row;
 using test::rowsOf;
 
 int particlesOfTests() {
-  const char* wanted = std::getenv("OPALINE_PATH_PARTICLES");  // for a closer look by hand
+  const char* wanted = std::getenv("OPALINE_PATH_PARTICLES");  // for manual runs
   return wanted == nullptr ? 4000 : std::atoi(wanted);
 }
 
-/// None where the tables are not there.
+/// Empty if the tables are not available.
 std::vector<Row> readTable(const std::string& name) {
   return rowsOf(referenceTable(name).value_or(""));
 }
 
-/// How many of the comparisons were out of three standard errors.
+/// How many comparisons were beyond three standard errors.
 struct Outcome {
   int entries = 0;
   int far = 0;
 
   void compare(double found, double foundError, double expected, double expectedError) {
     ++entries;
-    // A count of none still stands for one.
+    // A count of zero still has the error of one.
     if (std::abs(found - expected) > 3 * std::hypot(foundError, expectedError)) ++far;
   }
 };
@@ -73,7 +73,7 @@ SlabShares traceSlab(double thickness, double reach, const Interior& interior, b
     const double angle = 2 * pi * random();
     const double sine = std::sqrt(1 - cosine * cosine);
     const Vector direction{sine * std::cos(angle), sine * std::sin(angle), -cosine};
-    // Towards a place off the diagonal along which the side is cut in two triangles.
+    // Aims off the diagonal along which the side is cut into two triangles.
     const Vector target{0.31 * interior.eta, 0.17, thickness / 2};
     walk.follow({target - 1.0 * direction, direction}, random, [&](const Leaving& leaving) {
       double* side = leaving.point.position[2] > 0 ? shares.reflected : shares.transmitted;
@@ -115,7 +115,7 @@ TEST(PathTest, SlabsAreThoseOfTheTable) {
   EXPECT_LE(outcome.far, outcome.entries / 20) << outcome.entries << " entries";
 }
 
-// By Chandrasekhar's H for a half-space.
+// Exact by Chandrasekhar's H for a half-space.
 TEST(PathTest, LayersTakeWhatExactTransferSays) {
   const int particles = particlesOfTests();
   Outcome outcome;

@@ -1,4 +1,4 @@
-// Volumetric light transport against what energy demands, closed forms and itself.
+// Volumetric light transport against conservation of energy, closed forms and itself.
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -25,7 +25,8 @@ double allFlux(const PathTracer& tracer) {
          tracer.leftFlux(0, Order::Multiple);
 }
 
-// Without absorption what enters leaves. Entered flux of a sphere in parallel light, by quadrature.
+// Without absorption, all light that enters leaves. The flux that enters a sphere in parallel light
+// is by quadrature.
 TEST(PathTest, WhatEntersLeavesWithoutAbsorption) {
   Scene scene = sceneOf(bodyOf(test::sphere({1, 2, 3}, 3, 5), 1.5, 0, 1.4));
   scene.lighting.directional = {{{0.3F, -0.4F, 0.8F}, {2, 2, 2}}};
@@ -39,7 +40,7 @@ TEST(PathTest, WhatEntersLeavesWithoutAbsorption) {
     entering += (1 - bssrdf::fresnelReflectance(1.4, std::sqrt(1 - sine2))) / steps;
   }
   const double expected = 2 * pi * 9 * entering;
-  // Whether a particle enters is the only chance left.
+  // The only remaining randomness is whether a particle enters.
   EXPECT_NEAR(allFlux(tracer) / expected, 1, 3 * std::sqrt((1 - entering) / 40000) + 0.001);
   EXPECT_LT(tracer.lostShare(0), 1e-4);
 }
@@ -51,7 +52,7 @@ TEST(PathTest, ASpotLightShinesIntoItsCone) {
   const double radius = 3;
   const double distance = 10;
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, static_cast<float>(radius), 5), 1, 0, 1.4));
-  // 5° beside the middle of the ball, which is seen under 17.5°.
+  // 5° off the middle of the ball, whose radius appears under 17.5°.
   const SpotLight light{{0, 0, 10}, {0.0871557F, 0, -0.9961947F}, {2, 2, 2}, 8, 20};
   scene.lighting.spots = {light};
   const Geometry geometry(scene);
@@ -83,8 +84,8 @@ TEST(PathTest, ASpotLightShinesIntoItsCone) {
   EXPECT_NEAR(found / expected, 1, 0.01);
 }
 
-// As many particles meet a small ball as light of a large lamp falls on it: L π (r / d)² on what
-// faces a sphere, times the ball's cross-section; a disc that turns its back gives none.
+// The number of particles that hit a small ball must match the light of a large lamp: L π (r / d)²
+// on a surface facing a sphere, times the ball's cross-section. A disc facing away gives none.
 TEST(PathTest, AreaLightsShineOnABall) {
   const double radius = 0.5;
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, static_cast<float>(radius), 5), 1, 0, 1.4));
@@ -104,7 +105,7 @@ TEST(PathTest, AreaLightsShineOnABall) {
   const double crossSection = pi * radius * radius;
   EXPECT_NEAR(shares(SphereLight{{0, 0, 20}, 5, {2, 2, 2}}) / (2 * pi / 16 * crossSection), 1,
               0.02);
-  // Of a disc over a point, by all that falls through a small ball: 2π (1 - cos) L.
+  // For a disc above a point, all light that passes a small ball: 2π (1 - cos) L.
   const DiscLight disc{{0, 20, 0}, {0, -1, 0}, 5, {2, 2, 2}};
   const double cosine = 20 / std::sqrt(425.0);
   EXPECT_NEAR(shares(disc) / (2 * 2 * pi * (1 - cosine) * crossSection), 1, 0.02);
@@ -119,14 +120,15 @@ TEST(PathTest, WhiteFurnace) {
   PathTracer tracer(geometry, {});
   const int particles = 60000;
   tracer.run(particles);
-  // Of the flux π on each area of the convex body F̄_t enters, and as much must leave.
+  // F̄_t of the flux π on each area of the convex body enters, and as much must leave.
   const double area = 4 * pi * 4;
   const double entering = bssrdf::meanTransmittance(1.3);
   EXPECT_NEAR(allFlux(tracer) / (pi * area * entering), 1,
               3 * std::sqrt((1 - entering) / particles) + 0.003);
 }
 
-/// A rectangle on a side of the box of half edges 2, 1.5 and 1, by the axis across it.
+/// A rectangle on a side of the box of half edges 2, 1.5 and 1, given by the axis perpendicular to
+/// it.
 struct Window {
   std::size_t axis = 0;
   std::array<double, 2> low{};
@@ -165,8 +167,8 @@ double shareThrough(const Walk& walk, const Window& in, const Window& out, int p
   return static_cast<double>(left) / particles;
 }
 
-// Helmholtz: what diffuse light through one window sends out of another is, by area, the same both
-// ways, whatever lies between.
+// Helmholtz: diffuse light exchanged between two windows is, per area, equal both ways, whatever
+// lies between.
 TEST(PathTest, WindowsExchangeLightAlikeBothWays) {
   const Scene scene = sceneOf(bodyOf(test::box({0, 0, 0}, {2, 1.5F, 1}, 2), 1.1, 0.05, 1.4));
   const Geometry geometry(scene);
@@ -181,7 +183,7 @@ TEST(PathTest, WindowsExchangeLightAlikeBothWays) {
   const double tolerance = 3 * std::hypot(top.area() * std::sqrt(there / particles),
                                           side.area() * std::sqrt(back / particles));
   EXPECT_NEAR(top.area() * there, side.area() * back, tolerance);
-  EXPECT_GT(there * particles, 1000);  // else it says little
+  EXPECT_GT(there * particles, 1000);  // fewer would prove little
 }
 
 TEST(PathTest, SameSeedSamePictureWhateverTheThreads) {
@@ -226,8 +228,7 @@ TEST(PathTest, ExitanceOfLightThatScatteredOnceOrMoreIsItsFlux) {
   EXPECT_NEAR(fluxShown(Scattered::Multiple), more, 1e-9 * more);
 }
 
-// In even light what leaves a white body is as bright in all directions, towards the camera as
-// well.
+// In even light a white body is equally bright in all directions, including the camera's.
 TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
   constexpr float radiusMm = 8;
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, radiusMm, 3), 0.8, 0, 1.3));
@@ -236,7 +237,7 @@ TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
   const Geometry geometry(scene);
   PathTracer tracer(geometry, {.seed = 3, .cellMm = 2, .coneDegrees = 25});
   tracer.run(30000);
-  // Of what is seen straight on and at a slant, by area.
+  // Areas seen head-on and at a slant.
   std::array<double, 2> sums{};
   std::array<double, 2> squares{};
   std::array<double, 2> areas{};
@@ -258,7 +259,7 @@ TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
   }
 }
 
-// There is nothing that more particles could make more exact.
+// More particles could not make it more precise.
 TEST(PathTest, DarknessIsKnownAtOnce) {
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 2), 1, 0.02, 1.3));
   scene.camera.positionMm = {0, 0, 30};
@@ -274,8 +275,8 @@ TEST(PathTest, DarknessIsKnownAtOnce) {
 }
 
 TEST(PathTest, StrongForwardScatteringMeansTheSameReducedScattering) {
-  // Similarity (van de Hulst 1980): far from where light enters only σ_s' matters. Not exact, but
-  // the flux that leaves agrees to a few per cent.
+  // Similarity (van de Hulst 1980): far from where light enters only σ_s' matters. It is not exact,
+  // but the flux that leaves agrees to a few per cent.
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 8, 4), 1, 0.01, 1.3));
   scene.lighting.ambient = {1, 1, 1};
   Scene forwardScene = scene;

@@ -18,7 +18,7 @@ using namespace test;
 using reference::Picture;
 using reference::PictureOptions;
 
-/// A ball of marble before a smaller one of skin, in the sun.
+/// A ball of marble in front of a smaller one of skin, in the sun.
 class PictureTest : public testing::Test {
  protected:
   PictureTest()

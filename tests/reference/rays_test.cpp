@@ -1,4 +1,4 @@
-// Rays: through which pixel a point is seen, where a surface is hit, what lies in shadow.
+// Rays: the pixel through which a point is seen, where rays hit surfaces, and what is in shadow.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(GeometryTest, HitsAreExactThoughRaysAreSingle) {
   const Vector origin{1003.3, 2001.7, 60};
   const auto hit = geometry.closestHit(origin, direction);
   ASSERT_TRUE(hit);
-  // The plane through the centre, spanned by the half edges, whose corners are single precision.
+  // The plane through the centre and the half edges; its corners are in single precision.
   const Vector normal = unit({-280, -200, 1600});
   const double distance = dot(normal, Vector{1000, 2000, 3} - origin) / dot(normal, direction);
   EXPECT_NEAR(hit->distanceMm, distance, 1e-4);
@@ -64,7 +64,7 @@ TEST(GeometryTest, HitsAreExactThoughRaysAreSingle) {
   EXPECT_FALSE(geometry.closestHit(origin, unit({0, 0, 1})));
 }
 
-// A ball lights one half of itself, whatever the size; no facet shades itself or its neighbours.
+// A ball shadows one half of itself, whatever its size; no facet shadows itself or its neighbours.
 TEST(GeometryTest, ABallShadesJustItsFarHalf) {
   for (const float radius : {0.001F, 1.0F, 5000.0F}) {
     const auto scene =
@@ -141,7 +141,7 @@ TEST(IrradianceTest, LightsEnterByFresnelAndCosine) {
   EXPECT_NEAR(found[0], sun + lamp, 1e-7);
   EXPECT_NEAR(found[1], 2 * sun, 1e-7);
   EXPECT_NEAR(found[2], 3 * sun + 0.5 * std::numbers::pi * 0.9082, 1e-4);
-  // In the shadow of the small sheet there is the lamp alone.
+  // In the shadow of the small sheet only the lamp shines.
   point.position = {30, -15. / 4, 0};
   const double farther = 900 + 225. / 16 + 100;
   const double flatter = 10 / std::sqrt(farther);

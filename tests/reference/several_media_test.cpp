@@ -1,5 +1,5 @@
-// Bodies of several media: in path tracing a place inside is of the medium of the nearest surface;
-// boundary transport takes the mean of the media at either end of a way.
+// Bodies of several media. In path tracing a place inside has the medium of the nearest surface.
+// Boundary transport uses the mean of the media at both ends of a path.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,8 @@ Medium darker() {
   return {"darker", {2, 2, 2}, {0.002, 0.02, 0.1}, 1.3};
 }
 
-/// A ball around the origin, seen from +z, whose upper half is of one medium, the lower of another.
+/// A ball around the origin, seen from +z, with one medium in the upper half and another in the
+/// lower.
 Scene ballOfTwo(const Medium& upper, const Medium& lower) {
   const auto [above, below] = halvesOf(sphere({0, 0, 0}, radiusMm, 4), {0, 1, 0});
   Scene scene = test::sceneOf(above, upper, {0, 0, 40}, 1.02F * radiusMm);
@@ -89,8 +90,8 @@ void expectNear(const Bands& found, const Bands& expected, const std::array<doub
       EXPECT_NEAR(found[band][c] / expected[band][c], 1, most[c]) << band << " " << c;
 }
 
-// Beer and Lambert: of two black media that hardly bend light, a beam along the axis passes as much
-// of one as of the other, wherever it meets the ball.
+// Beer and Lambert: with two black media that hardly refract, a beam along the axis passes equal
+// lengths of both, wherever it hits the ball.
 TEST(SeveralMediaWalkTest, LightPassesTheMediumOfTheNearestSurface) {
   constexpr int particles = 40'000;
   const std::array<double, 2> sigmaPerMm{0.02, 0.3};
@@ -110,13 +111,13 @@ TEST(SeveralMediaWalkTest, LightPassesTheMediumOfTheNearestSurface) {
     const Vector from{distance * std::cos(angle), 20, distance * std::sin(angle)};
     walk.follow({from, {0, -1, 0}}, random, [&](const reference::Leaving&) { ++left; });
   }
-  // Over the beam's section, of ways of 2R x: 2 ∫ x e^{-tx} dx from 0 to 1.
+  // Over the beam's cross-section, with path lengths 2R x: 2 ∫ x e^{-tx} dx from 0 to 1.
   const double t = (sigmaPerMm[0] + sigmaPerMm[1]) * double{radiusMm};
   const double expected = 2 * (1 - std::exp(-t) * (1 + t)) / (t * t);
   EXPECT_NEAR(static_cast<double>(left) / particles, expected, 0.01 * expected + 0.004);
 }
 
-// Two objects of the same medium are the body that one object is, by any transport.
+// Two objects of one medium form the same body as a single object, with any transport.
 TEST_F(SeveralMediaTest, ObjectsOfOneMediumAreOneBody) {
   for (const Transport transport : {Transport::Dipole, Transport::Boundary}) {
     const Image position = positionsOf(ballOfOne(darker()));
@@ -142,7 +143,7 @@ TEST_F(SeveralMediaTest, PathTracingAgrees) {
   expectNear(meansOf(found, position), meansOf(truth, position), {0.03, 0.08, 0.18});
 }
 
-// The integral sums over all of the body, by the medium of the place that is asked.
+// The integral covers the whole body, with the medium of the place in question.
 TEST_F(SeveralMediaTest, TheIntegralAgrees) {
   const Scene scene = ballOfTwo(white(), darker());
   const Image position = positionsOf(scene);

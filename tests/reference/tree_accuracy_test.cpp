@@ -35,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-/// Most that is allowed, over the mean.
+/// Largest errors allowed, relative to the mean.
 struct Bounds {
   double rms;
   double percentile95;
@@ -58,8 +58,8 @@ struct AccuracyCase {
   double seconds = 0;
   int maxSurfels = RenderOptions{}.maxSurfels;
   int shadowSize = RenderOptions{}.shadowSize;
-  bool thinParts = false;      ///< by themselves too
-  bool computedAgain = false;  ///< some pixels of the kept integral
+  bool thinParts = false;      ///< thin parts are also judged separately
+  bool computedAgain = false;  ///< some pixels of the stored integral are recomputed
 };
 
 constexpr int edge = 1024;
@@ -99,7 +99,7 @@ reference::Scene referenceAt(const Scene& scene, double seconds) {
   return result;
 }
 
-/// Numbers that tell a scene from others: bodies by area and first moment, media, light, camera.
+/// Numbers that identify a scene: bodies by area and first moment, media, light, camera.
 std::vector<double> marksOf(const reference::Scene& scene) {
   using namespace reference;
   std::vector<double> marks{edge, every, toleranceOfIntegral};
@@ -151,7 +151,7 @@ void expectSameScene(const std::string& kept, const std::vector<double>& marks) 
   EXPECT_FALSE(text >> rest) << kept;
 }
 
-/// One pixel of so many across and down.
+/// Every `step`-th pixel across and down.
 Image thinned(const Image& image, int step) {
   Image some;
   some.width = (image.width + step - 1) / step;
@@ -179,7 +179,7 @@ class Comparison {
     sharedRenderer().renderer->setTime({.seconds = accuracy_.seconds});
   }
 
-  /// Each may be wrong by its tolerance.
+  /// Each may be off by its tolerance.
   void expectTruthIsWhatIsComputed() const {
     const Image again = computed(sampleEvery);
     const Image kept = thinned(truth_, sampleEvery / every);
@@ -207,7 +207,7 @@ class Comparison {
     return compare::commonPixels(found, truth_);
   }
 
-  /// Pixels on which no light falls and behind which the body ends within that distance.
+  /// Unlit pixels where the body is thinner than that distance.
   compare::Selection unlitThinnerThan(double thicknessMm, const Image& found) const {
     const Image thin = exact(every, [&](const reference::SurfacePoint& point) {
       reference::Vector inward = point.facetNormal;
@@ -297,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  .diagonalMm = 50,
                                  .sites = {{Site::Fragment, anywhere}, {Site::Auto, anywhere}},
                                  .computedAgain = true},
-                    // Its ears as exact as the rest.
+                    // Makes its ears as precise as the rest.
                     AccuracyCase{
                         .name = "bunny_marble",
                         .model = bunny,
@@ -333,7 +333,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  .diagonalMm = 50,
                                  .sites = {{Site::Fragment, anywhere}, {Site::Vertex, anywhere}},
                                  .deformers = twistedAndBent},
-                    // Coarse facets cast long shadows, whose borders want finer shadow maps.
+                    // Coarse facets cast long shadows, whose borders need finer shadow maps.
                     AccuracyCase{.name = "walking_man",
                                  .model = "gltf/CesiumMan.glb",
                                  .medium = "skin1",

@@ -14,7 +14,7 @@ namespace opaline::surfels::test {
 
 using Point = std::array<double, 3>;
 
-/// What a Surface points into.
+/// The data to which a Surface refers.
 struct Body {
   std::string name;
   std::vector<Vec3> positions;
@@ -34,7 +34,7 @@ inline Body bodyOf(const awkward::Shape& shape) {
   return body;
 }
 
-/// Objects 1 and 4 of five: the others have no triangles.
+/// Objects 1 and 4 of five; the others have no triangles.
 inline Body withEmptyObjects() {
   Body body = bodyOf(awkward::twoObjects());
   body.name = "with_empty_objects";
@@ -43,7 +43,7 @@ inline Body withEmptyObjects() {
   return body;
 }
 
-/// Each triangle an object.
+/// Every triangle is an object.
 inline Body crowd() {
   Body body = bodyOf(awkward::edgeFan());
   body.name = "crowd";
@@ -70,7 +70,7 @@ inline Body hexahedron(const std::string& name, const std::array<Vec3, 8>& corne
   return body;
 }
 
-/// From the origin to that corner.
+/// A box from the origin to that corner.
 inline Body box(float x, float y, float z) {
   return hexahedron(
       "box",
@@ -86,7 +86,7 @@ inline Body wedge(float x, float low, float high, float z) {
   return body;
 }
 
-/// Both, each as objects of its own.
+/// Both bodies, each with objects of its own.
 inline Body together(const Body& a, const Body& b) {
   Body body = a;
   body.name += "_and_" + b.name;
@@ -100,7 +100,7 @@ inline Body together(const Body& a, const Body& b) {
   return body;
 }
 
-/// A sphere whose inside is empty up to that part of its radius.
+/// A sphere that is hollow up to that part of its radius.
 inline Body hollowSphere(float inner) {
   Body body = bodyOf(awkward::sphere());
   body.name = "hollow_sphere";

@@ -28,14 +28,14 @@ using namespace test;
 
 constexpr std::size_t unlimited = 1'000'000;
 
-/// By the words of tree.h: depth first, the leaves in the order of the clusters.
+/// Follows the description in tree.h: depth first, with leaves in the order of the clusters.
 class ClusterWalk {
  public:
   explicit ClusterWalk(const Tree& tree) : tree_(tree) {}
 
   std::uint32_t clusters() const { return next_; }
 
-  /// Returns the node after all below.
+  /// Returns the node after the subtree.
   std::uint32_t enter(std::uint32_t node, std::uint32_t end) {
     const std::uint32_t link = tree_.links[node];
     EXPECT_NE(link & Tree::setBit, 0U);
@@ -74,7 +74,8 @@ void expectTree(const ClusterDivision& made) {
   ASSERT_EQ(walk.clusters(), made.count());
 }
 
-/// Every surfel in exactly one cluster, those of a cluster together and of one object.
+/// Expects every surfel in exactly one cluster; a cluster's surfels are consecutive and of one
+/// object.
 void expectPartition(const SurfelDivision& surfels, const ClusterDivision& made) {
   ASSERT_EQ(made.firstOfObject.size(), surfels.firstOfObject.size());
   ASSERT_EQ(made.clusters.size(), std::size_t{made.count()});
@@ -160,8 +161,8 @@ std::vector<Patch> patchesOf(const Body& body, const SurfelDivision& surfels,
   return patches;
 }
 
-// A node has up to four children of as many surfels each: what is too large for a cluster makes
-// clusters of a quarter of that and more, but for the surfels' own differences.
+// A node has up to four children with equal numbers of surfels. What is too large for a cluster is
+// split into clusters of at least a quarter, up to differences between surfels.
 constexpr double smallestPart = 0.2;
 
 TEST(Clusters, OfAThickBodyAreAsLargeAsUsual) {
@@ -179,13 +180,13 @@ TEST(Clusters, OfAThickBodyAreAsLargeAsUsual) {
   EXPECT_LE(made.count(), fewest / smallestPart);
 }
 
-/// Of a plate across y from 0 to `edge`: where its narrow sides, which are thick, have a part.
+/// Whether a part is at the narrow sides, which are thick, of a plate across y from 0 to `edge`.
 bool isAtRim(const Patch& patch, double edge, double within) {
   const auto [low, high] = std::minmax(patch.middle[0], patch.middle[2]);
   return std::abs(patch.normal[1]) < 0.99 || low < within || high > edge - within;
 }
 
-// Between usual and a quarter of it the edge of a cluster is what the slab is thick.
+// Between the usual size and a quarter of it, clusters are as large as the slab is thick.
 TEST(Clusters, OfASlabAreAsLargeAsItIsThick) {
   constexpr double edge = 8;
   for (const double thick : {0.18, 0.12, 0.07}) {
@@ -207,7 +208,7 @@ TEST(Clusters, OfASlabAreAsLargeAsItIsThick) {
   }
 }
 
-// Thinner than a quarter of usual it makes no difference any more.
+// Below a quarter of the usual size, thickness no longer matters.
 TEST(Clusters, OfALeafAreAQuarterOfUsual) {
   constexpr double edge = 8;
   const Body body = box(static_cast<float>(edge), 0.001F, static_cast<float>(edge));
@@ -221,8 +222,8 @@ TEST(Clusters, OfALeafAreAQuarterOfUsual) {
   }
 }
 
-// Where clusters are of several leaves, however those are counted: a cluster of both sides would be
-// a place inside.
+// Holds even where clusters consist of several leaves: a cluster with both sides would have its
+// place inside.
 TEST(Clusters, NoneHoldsBothSidesOfASlab) {
   constexpr double edge = 8;
   for (const double thick : {0.05, 0.3, 3.0})
@@ -240,7 +241,7 @@ TEST(Clusters, NoneHoldsBothSidesOfASlab) {
     }
 }
 
-// Its wall is thicker than a cluster and runs in all directions; the tree divides along three.
+// The wall is thicker than a cluster and runs in all directions; the tree divides along three.
 TEST(Clusters, NoneHoldsBothSidesOfAHollowSphere) {
   const Body body = hollowSphere(0.85F);
   const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.01), unlimited);
@@ -257,7 +258,7 @@ TEST(Clusters, NoneHoldsBothSidesOfAHollowSphere) {
   EXPECT_EQ(ofBothSides, 0) << "of " << made.count();
 }
 
-// From usual at the thick end to the thickness at the thin one.
+// From the usual size at the thick end to the thickness at the thin end.
 TEST(Clusters, OfAWedgeFollowItsThickness) {
   constexpr double length = 8;
   const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
@@ -276,7 +277,7 @@ TEST(Clusters, OfAWedgeFollowItsThickness) {
   }
 }
 
-// A node that is opened is four clusters at most instead of one.
+// An opened node makes at most four clusters of one.
 TEST(Clusters, UseTheirBudget) {
   const Body body = bodyOf(awkward::torus());
   const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
@@ -290,7 +291,7 @@ TEST(Clusters, UseTheirBudget) {
   EXPECT_EQ(clustersOf(body.surface(), surfels, wanted).count(), wanted);
 }
 
-// Both ends of a wedge, as large as each other, are too coarse; both sides in one place are worse.
+// Both ends of a wedge, equally large, are too coarse; clusters with both sides would be worse.
 TEST(Clusters, BeyondTheBudgetAreFinerWhereTheBodyIsThin) {
   constexpr double length = 8;
   const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
@@ -305,7 +306,7 @@ TEST(Clusters, BeyondTheBudgetAreFinerWhereTheBodyIsThin) {
   EXPECT_GT(thin, 2 * thick);
 }
 
-// However dense another object's medium is, and however large that object.
+// Holds for any density of another object's medium and for any size of that object.
 TEST(Clusters, WhatAMediumAsksForTakesNoneFromAnotherShape) {
   Body floor = box(80, 8, 80);
   for (Vec3& p : floor.positions) p[1] -= 20;

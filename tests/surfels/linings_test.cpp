@@ -46,7 +46,7 @@ Body boxBetween(const Vec3& low, const Vec3& high, int cells) {
   return body;
 }
 
-/// One substance an object.
+/// One substance per object.
 Linings liningsOf(const Body& body, const std::vector<Substance>& substances) {
   std::vector<Substance> ofTriangles;
   for (const std::uint32_t object : body.objectOfTriangle)
@@ -114,7 +114,7 @@ TEST(Linings, OfSomethingWithinAreAllOfItTurnedRound) {
   }
 }
 
-// A wick: of its sides so much as is in the wax, and its lower end.
+// A wick: the part of its sides that is in the wax, and its lower end.
 TEST(Linings, OfWhatReachesInAreThePartInside) {
   const Body body =
       together(boxBetween({-5, 0, -5}, {5, 10, 5}, 8), boxBetween({-1, 4, -1}, {1, 13, 1}, 1));
@@ -123,8 +123,8 @@ TEST(Linings, OfWhatReachesInAreThePartInside) {
   EXPECT_NEAR(sumsOf(lined, linings.pieces()).areaMm2, 4 * 2 * 6 + 4, 0.5);
 }
 
-// What stands upon something does not touch it; what is sunk in does. Then the table's surface
-// closes the part of the body above it.
+// A body standing on something does not touch it; a body sunk into it does. The table's surface
+// then closes the part of the body above it.
 TEST(Linings, AreWhereABodyIsSunkIntoATable) {
   const Body table = boxBetween({-50, -2, -50}, {50, 0, 50}, 1);
   const Body standing = together(boxBetween({-5, 0, -5}, {5, 10, 5}, 8), table);
@@ -142,7 +142,7 @@ TEST(Linings, AreWhereABodyIsSunkIntoATable) {
   EXPECT_LT(std::sqrt(dot(closed.vectorAreaMm2, closed.vectorAreaMm2)), 1);
 }
 
-// It would have no surface left.
+// The body would have no surface left.
 TEST(Linings, LeaveABodyWithinASolidAsItIs) {
   const Body body =
       together(boxBetween({-1, -1, -1}, {1, 1, 1}, 4), boxBetween({-5, -5, -5}, {5, 5, 5}, 8));
@@ -161,7 +161,7 @@ TEST(Linings, OfSheetsAreNoneAndSayWhich) {
   EXPECT_TRUE(liningsOf(body, {Substance::Other, Substance::Sheet}).sheetsInside().empty());
 }
 
-// Between two solids that reach into each other is no medium.
+// There is no medium between two solids that intersect.
 TEST(Linings, AreNotWhereOneSolidLiesInAnother) {
   const Body inner =
       together(boxBetween({-1, -1, -1}, {1, 1, 1}, 4), boxBetween({-2, -2, -2}, {2, 2, 2}, 4));
@@ -171,8 +171,7 @@ TEST(Linings, AreNotWhereOneSolidLiesInAnother) {
   EXPECT_NEAR(sumsOf(lined, linings.pieces()).areaMm2, 6 * 16, 1e-3);
 }
 
-// Whatever the surfaces are like, surfels and clusters are made of them, and hold no more than
-// wanted.
+// Whatever the surfaces, valid surfels and clusters are made, and no more than wanted.
 TEST(Linings, OfAwkwardBodiesAreSound) {
   for (const Body& awkward : allBodies())
     for (const bool within : {false, true}) {
@@ -194,7 +193,7 @@ TEST(Linings, OfAwkwardBodiesAreSound) {
     }
 }
 
-// More triangles than there may be pieces besides are all kept.
+// Triangles beyond the number of allowed extra pieces are all kept.
 TEST(Linings, OfDenseSolidsHaveAPieceForEachTriangle) {
   const Body body =
       together(boxBetween({-5, -5, -5}, {5, 5, 5}, 4), boxBetween({-1, -1, -1}, {1, 1, 1}, 110));
@@ -202,7 +201,7 @@ TEST(Linings, OfDenseSolidsHaveAPieceForEachTriangle) {
   EXPECT_EQ(linings.pieces().size(), body.triangles.size() - 12 * 16);
 }
 
-// Clusters are of one or the other, whatever their number, and follow what lies between.
+// Clusters consist of one or the other, whatever their number, and follow the gap between.
 TEST(Linings, HaveClustersOfTheirOwn) {
   const Body body = together(boxBetween({-5, -5, -5}, {5, 5, 5}, 8),
                              boxBetween({-1, -1, -4.8F}, {1, 2, 4.8F}, 4));

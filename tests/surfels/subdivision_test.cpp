@@ -16,7 +16,7 @@ using namespace test;
 
 constexpr std::size_t plenty = 200'000;
 
-// Of the barycentric coordinates v and w over a triangle, per area.
+// Moments of the barycentric coordinates v and w over a triangle.
 struct Moments {
   double area = 0;
   double v = 0;
@@ -45,7 +45,7 @@ void add(const Piece& piece, Moments& moments) {
   moments.ww += fraction * (products[1][1] + sum[1] * sum[1]) / 12;
 }
 
-// Twice its area in the plane of v and w, where the whole triangle has 1/2.
+// Twice the area in the plane of v and w, where the whole triangle has 1/2.
 double fractionOf(const Piece& piece) {
   const auto at = [&](std::size_t corner, std::size_t axis) {
     return static_cast<double>(piece.corners[corner][axis]);
@@ -54,8 +54,8 @@ double fractionOf(const Piece& piece) {
          (at(2, 0) - at(0, 0)) * (at(1, 1) - at(0, 1));
 }
 
-// Over the whole triangle v and w have the mean 1/3, v² and w² 1/6 and vw 1/12. Halving is exact in
-// binary, so all of this is.
+// Over the whole triangle v and w have the mean 1/3, v² and w² 1/6, and vw 1/12. Halving is exact
+// in binary, so these are exact too.
 TEST(Subdivision, PiecesAddUpToEveryTriangle) {
   for (const Body& body : allBodies()) {
     const auto pieces = subdivide(body.surface(), body.spacing(0.1), plenty);
@@ -135,7 +135,7 @@ TEST(Subdivision, GivesUpWhereThereWouldBeTooMany) {
     EXPECT_TRUE(subdivide(body.surface(), body.spacing(0.1), pieces->size())) << body.name;
     EXPECT_FALSE(subdivide(body.surface(), body.spacing(0.1), pieces->size() - 1)) << body.name;
   }
-  // At once, however fine they were to be.
+  // Ends at once, however fine the division should be.
   const Body body = sliver();
   for (const double mm : {1e-3, 1e-12, std::numeric_limits<double>::min()})
     EXPECT_FALSE(subdivide(body.surface(), body.spacing(mm), 1000));

@@ -90,8 +90,8 @@ TEST(Surfels, AreAsFineAsAskedWhereTheBudgetAllows) {
   const SurfelDivision made = makeSurfels(body.surface(), body.spacing(wanted), 100'000);
   EXPECT_EQ(made.piecesPerSurfel, 1U);
   EXPECT_EQ(made.spacingOfObjectMm, body.spacing(wanted));
-  // No more than fourfold what squares of that edge would need: a half has half the area, and up to
-  // half the size of what was divided.
+  // At most four times as many as squares of that edge: a half has half the area, and at least half
+  // the size of its parent.
   EXPECT_LT(made.count(), 4 * areaOf(body) / (wanted * wanted));
 }
 
@@ -102,7 +102,7 @@ TEST(Surfels, MostOfABudgetThatBindsIsUsed) {
     for (const std::size_t budget : {10'000U, 30'000U, 77'777U}) {
       const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1e-3), budget);
       EXPECT_LE(made.count(), budget) << body.name;
-      // Triangles of a size are all halved at once.
+      // Equal triangles are all halved at once.
       EXPECT_GT(made.count(), 0.45 * static_cast<double>(budget)) << body.name;
       EXPECT_GT(made.spacingOfObjectMm[0], 1e-3);
     }
@@ -132,7 +132,7 @@ TEST(Surfels, ObjectsThatAllWantMoreThanTheirShareGetAboutAsMany) {
   const Body body = bodyOf(awkward::twoObjects());
   const std::vector<std::uint32_t> counts =
       countOfObjects(makeSurfels(body.surface(), std::vector<double>{1e-4, 4e-4}, 20'000));
-  // Triangles of a size are all halved at once.
+  // Equal triangles are all halved at once.
   EXPECT_GT(counts[0], counts[1] / 2);
   EXPECT_LT(counts[0], counts[1] * 2);
   EXPECT_GT(counts[0] + counts[1], 20'000U * 45 / 100);
@@ -146,12 +146,12 @@ TEST(Surfels, JoinTrianglesWhereThereAreMoreThanTheBudget) {
     EXPECT_LE(made.count(), budget);
     EXPECT_GT(made.count(), 0.2 * static_cast<double>(budget));
     expectPartition(body, made);
-    // As large as the surface over their number, or a triangle.
+    // As large as the surface divided by their number, or as a triangle.
     EXPECT_GE(made.spacingOfObjectMm[0], std::sqrt(areaOf(body) / made.count()) * (1 - 1e-6));
   }
 }
 
-// Several objects each have a last surfel that is not full.
+// The last surfel of every object is only partly filled.
 TEST(Surfels, KeepTheBudgetWhereEveryObjectsLastSurfelIsNotFull) {
   Body body = bodyOf(awkward::openSheet());
   body.objects = 40;
@@ -237,7 +237,7 @@ TEST(Surfels, VerticesThatFollowEachOtherAreNeighbours) {
   EXPECT_LT(sum / static_cast<double>(made.vertexOrder.size()), 0.3);
 }
 
-// A vertex that no triangle has comes last; an empty body has nothing.
+// A vertex without triangles comes last; an empty body has no surfels.
 TEST(Surfels, OfNothingAreNone) {
   const Body body = bodyOf(awkward::empty());
   const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1), 1024);

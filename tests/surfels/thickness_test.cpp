@@ -18,7 +18,7 @@ using namespace test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A body's surfels and how thick it is under them.
+/// A body's surfels and the thickness of the body below them.
 struct Measured {
   Measured(const Body& body, double spacingMm, std::size_t budget = 100'000)
       : surfels(makeSurfels(body.surface(), body.spacing(spacingMm), budget)),
@@ -62,8 +62,8 @@ void forEachLeaf(const Body& body, const Measured& measured, const Check& check)
   EXPECT_EQ(seen, measured.surfels.count());
 }
 
-// Slivers that lie upon each other in one plane: the boxes of all their parts meet every ray, and
-// no ray meets anything. It took minutes; that it ends is what matters.
+// Slivers on top of each other in one plane: rays meet the boxes of all parts but hit nothing. The
+// test must end soon.
 TEST(Thickness, EndsWhereThousandsOfPartsOverlap) {
   Body body;
   constexpr std::uint32_t slivers = 1500;
@@ -92,7 +92,8 @@ TEST(Thickness, OfABoxAndASlabIsTheWayToTheOtherSide) {
   }
 }
 
-/// Those of a sphere of radius 1; the triangles at its poles that have no area look nowhere.
+/// Expects the diameters of a sphere of radius 1. Triangles without area at its poles have no
+/// direction.
 void expectDiameters(const Body& body, const Measured& measured, double belowMm) {
   forEachLeaf(body, measured, [&](const Point&, const Point& normal, double mm) {
     if (std::isnan(normal[0])) {
@@ -110,7 +111,7 @@ TEST(Thickness, OfASphereIsItsDiameter) {
   expectDiameters(body, Measured(body, 0.1), 0.009);
 }
 
-// More triangles than there may be surfels: the middle of a surfel's first piece counts.
+// More triangles than surfels are allowed: the middle of a surfel's first piece counts.
 TEST(Thickness, OfSurfelsOfSeveralPieces) {
   const Body body = bodyOf(awkward::sphere("fine", 96, 48));
   const Measured measured(body, 0.02, 1000);
@@ -144,7 +145,7 @@ TEST(Thickness, OfWhatHasNoOtherSideIsInfinite) {
 }
 
 TEST(Thickness, IsThatOfTheSameObject) {
-  // A small box within the thickness of a large one, which does not see it.
+  // A small box within reach of a large one, which must not affect it.
   Body small = box(2, 2, 2);
   for (Vec3& p : small.positions)
     for (float& x : p) x += 4;

@@ -42,7 +42,7 @@ struct Node {
   std::uint32_t end;  // the node after all below
 };
 
-// By the words of tree.h alone.
+// By the description in tree.h only.
 Node nodeOf(const Tree& tree, std::uint32_t index) {
   const std::uint32_t link = tree.links[index];
   EXPECT_NE(link & (1U << 29U), 0U) << index;
@@ -51,7 +51,7 @@ Node nodeOf(const Tree& tree, std::uint32_t index) {
   return {false, 0, 0, link & ((1U << 29U) - 1)};
 }
 
-/// Goes through the tree depth first, as what sums over it does.
+/// Goes through the tree depth first, like the sums over it.
 class Walk {
  public:
   explicit Walk(const Tree& tree) : tree_(tree) {}
@@ -151,7 +151,7 @@ double diagonal(std::span<const TreeItem> items) {
                     static_cast<double>(range[2][1] - range[2][0]));
 }
 
-// On a grid of spacing 1, n² neighbours in the order would at best be a square of diagonal n √2.
+// On a grid of spacing 1, n² consecutive items would at best form a square of diagonal n √2.
 TEST(Tree, NeighboursInItsOrderAreNeighboursInSpace) {
   constexpr std::uint32_t edge = 128;
   std::vector<Items> objects(1);
@@ -181,7 +181,7 @@ TEST(Tree, PiecesOfASurfelLieTogether) {
     EXPECT_LE(diagonal(std::span(objects[0]).subspan(first, itemsPerSurfel)), 3 * std::sqrt(2.0));
 }
 
-// Two runs, and items handed over in another order: the index decides between equal places.
+// Two runs with the items in different orders: the index decides between equal places.
 TEST(Tree, IsAlwaysTheSame) {
   std::vector<Items> items{scattered(3000, 5), inOnePlace(500)};
   for (TreeItem& item : items[0])
@@ -197,7 +197,7 @@ TEST(Tree, IsAlwaysTheSame) {
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t k = 0; k < items[i].size(); ++k)
       ASSERT_EQ(items[i][k].index, again[i][k].index);
-  // Of a leaf's surfels the order may differ, of what a leaf holds nothing.
+  // The order of surfels within a leaf may differ, but not the set.
   for (std::uint32_t n = 0; n < tree.links.size(); ++n) {
     const Node node = nodeOf(tree, n);
     if (!node.leaf || node.firstSurfel + node.surfels > items[0].size()) continue;

@@ -1,4 +1,4 @@
-// The order in which a tree's nodes are fitted: all of them, none before its children.
+// The order of fitting a tree's nodes: all of them, and none before its children.
 
 #include "surfels/treelets.h"
 
@@ -24,13 +24,13 @@ Tree treeOf(const std::vector<std::uint32_t>& surfelsOfObjects) {
   return makeTree(spans, 1);
 }
 
-// When a node is fitted, by the words of treelets.h.
+// When a node is fitted, by the description in treelets.h.
 struct Turn {
   std::uint32_t stage = 0;
   std::uint32_t treelet = 0;
   std::uint32_t level = 0;
   bool given = false;
-  bool isLeaf = false;  // before all others
+  bool isLeaf = false;  // fitted first
 };
 
 std::vector<Turn> turnsOf(const Treelets& order, std::size_t nodes) {
