@@ -6,8 +6,8 @@
 
 namespace opaline::test::boundary {
 
-/// What a directional light of irradiance 1 does at the surface of a body, by its triangles, which
-/// are in shadow or not as a whole, with the cosines of their own normals.
+/// Light of a directional lamp of irradiance 1 at the surface of a body, by its triangles. Each is
+/// wholly in shadow or in light, with the cosine of its own normal.
 struct LightEntering {
   std::vector<double> irradiance;  ///< per cluster
   /// The clusters moved to where light enters them: centroid, normal and start are those of the lit

@@ -1,4 +1,4 @@
-"""`bench`: what its suites ask for and what they tell."""
+"""`bench`: what its suites accept and report."""
 
 import json
 import math
@@ -31,7 +31,7 @@ class Table1(ProgramTest):
         self.refused(1, "bench", "table1", "--models", "here", says=("here", "--models"))
 
     def test_rows(self):
-        # Stand-ins, as small as can be, and seen edge on: the table is the same.
+        # Minimal stand-ins, seen edge on: the table has the same form.
         models = self.folder / "models"
         models.mkdir()
         for name in FILES:
@@ -48,7 +48,7 @@ class Table1(ProgramTest):
 
 
 class Methods(ProgramTest):
-    # Even light, so that a few triangles with smooth normals are lit alike by all.
+    # Even light, so that a few triangles with smooth normals are lit equally by all methods.
     SCENE = ("t.ply", "--diagonal-mm", 5, "--medium", "marble", "--ambient", "1,1,1")
     WAYS = (("pattern", "vertex"), ("pattern", "fragment"), ("tree", "vertex"), ("tree", "fragment"))
 
@@ -75,7 +75,7 @@ class Methods(ProgramTest):
             else:
                 self.assertGreater(row["evaluations"], 0)
         self.succeed("render", *self.SCENE, "--transport", "dipole", "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
-        # Three points for each surfel.
+        # Three points per surfel.
         sources = 3 * json.loads((self.folder / "all.json").read_text())["sources"]
         for sum_of_all in (row for row in rows if row["sum"] == "all"):
             self.assertAlmostEqual(sum_of_all["evaluations"], sources, delta=1e-5 * sources)
@@ -130,7 +130,7 @@ class Methods(ProgramTest):
         self.write("t.ply", tetrahedron(1))
         self.succeed("reference", "--path", "--samples", 10, "t.ply", "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
         self.refused(2, "bench", "methods", "t.ply", "--truth", "a.exr", says=("--truth", "8 x 8"))
-        # The truth of another view.
+        # The truth of a different view.
         self.refused(2, "bench", "methods", "t.ply", "--size", 8, "--truth", "a.exr", "--fov-degrees", 90,
                      says=("--truth", "reference --path"))
 
@@ -140,12 +140,12 @@ class Scaling(ProgramTest):
 
     def measure(self, *options, size=32):
         self.write("t.ply", tetrahedron(1))
-        # Its edges of 10 mm are long beside the mean free path of 0.4 mm.
+        # The edges of 10 mm are long compared to the mean free path of 0.4 mm.
         return self.succeed("bench", "scaling", "t.ply", "--diagonal-mm", 20, "--sigma-s", "2.5,2.5,2.5", "--sigma-a",
                             "0.02,0.01,0", "--size", size, "--frames", 1, "--max-surfels", 16384, *options)
 
     def assert_fits(self, rows, time, exponent):
-        """What is left of the logarithms has no slope."""
+        """What remains after fitting the logarithms has no slope."""
         logs = [(math.log(row["value"]), math.log(row[time])) for row in rows]
         middle = sum(value for value, _ in logs) / len(logs)
         self.assertAlmostEqual(sum((value - middle) * (found - exponent * value) for value, found in logs), 0)
@@ -164,13 +164,13 @@ class Scaling(ProgramTest):
                 self.assertGreater(row["frame_ms"], row["scatter_ms"])
                 self.assertAlmostEqual(row["scatter_ratio"], row["scatter_ms"] / rows[0]["scatter_ms"], places=9)
 
-        # Every budget binds: bisection at least halves what it leaves of one.
+        # Every budget binds, and bisection uses at least half of it.
         self.assertEqual([row["max_surfels"] for row in series["surfels"]], [1024, 4096, 16384])
         for row in series["surfels"]:
             self.assertLessEqual(row["surfels"], row["max_surfels"])
             self.assertGreater(row["surfels"], row["max_surfels"] / 3)
 
-        # The medium's scattering stays, and with it how finely it is divided.
+        # The medium's scattering is unchanged, and so is the division.
         self.assertEqual([row["divisor"] for row in series["sigma_tr"]], [1, 10, 100])
         self.assertEqual(len({row["surfels"] for row in series["sigma_tr"]}), 1)
         media = [row["medium"] for row in series["sigma_tr"]]

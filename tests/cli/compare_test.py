@@ -59,7 +59,7 @@ class Figures(ProgramTest):
 
     def test_blocks(self):
         report = self.compare([grey(2, 0, 2, 1)] * 2, [grey(1, 1, 1, 1)] * 2, "--block", "2")
-        # The first block's errors cancel, the second's are 1 in half of it.
+        # The first block's errors cancel; the second's are 1 in half of the block.
         self.assertAlmostEqual(report["block"]["rel_rmse"], math.sqrt(.25 / 2))
         self.assertEqual((report["block"]["blocks"], report["block"]["covered_blocks"]), (2, 2))
 

@@ -1,4 +1,4 @@
-// Preloaded, stands for a driver that crashes when a program ends.
+// When preloaded, imitates a driver that crashes at the end of a program.
 
 #include <csignal>
 

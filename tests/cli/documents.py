@@ -21,8 +21,8 @@ def blocks(text, language):
 
 
 def commands(text):
-    """The words of every command line of the program, as a shell would hand them over, in the order of the page: those of
-    blocks, and those in the text that have options."""
+    """The words of every command line of the program in page order, as a shell would pass them: those in blocks, and
+    those in the text that have options."""
     variables, found = {}, []
     for match in re.finditer(f"(?P<block>{FENCE.pattern})|{SPAN.pattern}", text, re.MULTILINE | re.DOTALL):
         if match["block"] is None:
@@ -43,5 +43,5 @@ def commands(text):
 
 
 def options(text):
-    """What looks like an option, but for code."""
+    """Everything that looks like an option, except in code."""
     return set(OPTION.findall(FENCE.sub(lambda block: "" if block[1] == "cpp" else block[0], text)))

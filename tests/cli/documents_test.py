@@ -1,5 +1,5 @@
-"""Every command of README.md and docs/ runs in a fresh folder and leaves the files that it names; every option that they
-speak of is in a help. Small stand-ins take the place of models and of the built-in bear, and pictures are small."""
+"""Every command of README.md and docs/ runs in a fresh folder and leaves the files that it names; every option
+mentioned is in a help. Small stand-ins replace models and the built-in bear, and pictures are small."""
 
 import json
 import math
@@ -87,7 +87,7 @@ def given(words, option):
 
 
 def with_value(words, option, value):
-    """The same words, the option with this value, whether it was there or not."""
+    """The same words with the option set to this value, whether it was there or not."""
     if option in words:
         at = words.index(option)
         return words[:at + 1] + [value] + words[at + 2:]
@@ -95,7 +95,7 @@ def with_value(words, option, value):
 
 
 def made_cheap(words):
-    """The same command on a smaller body and on fewer pixels, surfels, frames and seconds."""
+    """The same command on a smaller body with fewer pixels, surfels, frames and seconds."""
     command = words[1]
     scene = len(words) > 2 and not words[2].startswith("-") or any(
         word.endswith((".ply", ".glb", ".toml")) for word in words[2:])
@@ -132,7 +132,7 @@ def made_cheap(words):
 
 
 def outputs(words):
-    """The files that a command names to be written."""
+    """The files that a command writes."""
     names = [given(words, option) for option in ("-o", "--heatmap", "--plot", "--atlas", "--report")]
     for name in filter(None, names):
         yield from [name % frame for frame in (0, 1)] if "%" in name else [name]
@@ -157,7 +157,7 @@ class Documents(ProgramTest):
         for words in found:
             with self.subTest(page=page, command=" ".join(words)):
                 if words[1] == "view":
-                    # What is asked for is understood; tests/viewer opens windows.
+                    # The command line is accepted here; tests/viewer opens windows.
                     here = {name: value for name, value in os.environ.items() if "DISPLAY" not in name}
                     self.refused(1, *words[1:], says=NEEDS_A_DISPLAY, env=here)
                     continue

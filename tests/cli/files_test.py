@@ -1,5 +1,5 @@
-"""No file is lost: what nobody named is not replaced, what is read is not written over, and pictures say
-what made them."""
+"""No file is lost: existing files are not replaced unless named, inputs are not overwritten, and pictures tell what
+made them."""
 
 import json
 import subprocess
@@ -133,10 +133,10 @@ class Stamps(ProgramTest):
         return [(self.folder / f"f{i}.{kind}").stat().st_mtime_ns for i in range(3)]
 
     def test_what_decides_the_pixels_is_noticed(self):
-        # A camera that nobody places fits the moments that are shown.
+        # A camera that nobody placed is fitted to the moments shown.
         film = (*TEAPOT, *self.WOBBLE, "--frames", "0:2", "--camera-target", "0,0,0", "-o", "f%d.png")
         self.succeed(*film, "--fps", 4)
-        # Each goes on with what the one before it left.
+        # Each run continues with what the previous one left.
         for change in [("--medium", "jade"), ("--directional", "1,0,0"), ("--fov-degrees", 31), ("--tolerance", 0.02),
                        ("--diagonal-mm", 49), ("--roughness", 0.3), ("--exposure", 1)]:
             with self.subTest(change=change):

@@ -1,4 +1,4 @@
-"""`render --chunk` and `film`: a film that several programs share."""
+"""`render --chunk` and `film`: a film shared by several programs."""
 
 import json
 import shutil
@@ -15,7 +15,7 @@ HAVE_FFMPEG = shutil.which("ffmpeg") and shutil.which("ffprobe")
 
 
 def png(width, height, rgba):
-    """One of a single colour."""
+    """A PNG of a single colour."""
     def part(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     rows = (b"\0" + bytes(rgba) * width) * height
@@ -35,7 +35,7 @@ class Row(ProgramTest):
 
 class Chunks(Row):
     def test_together_they_are_the_pictures_of_one_run(self):
-        # The camera was not chosen: it must stand where all frames, not only the chunk's, fit.
+        # The camera was not placed, so it must fit all frames, not only the chunk's.
         frames = ("--frames", "1:13:3")
         self.succeed("render", *TEAPOT, *frames, "-o", "whole_%02d.png")
         outputs = []

@@ -17,7 +17,7 @@ import unittest
 from images import read_exr, read_png
 from program import PROGRAM, ProgramTest
 
-# Films are of any transport; this one is quick.
+# Films work with any transport; this one is quick.
 MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-surfels", 1024)
 MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
 TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
@@ -34,7 +34,7 @@ class Film(ProgramTest):
         return read(self.bytes_of(name)).rows
 
     def fake_ffmpeg(self, script):
-        """An environment in which that shell script is the only ffmpeg."""
+        """An environment in which this shell script is the only ffmpeg."""
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "ffmpeg").write_text("#!/bin/sh\n" + script)
@@ -51,7 +51,7 @@ class Pictures(Film):
             self.assertEqual(self.pixels_of("still.png"), self.pixels_of(f"f_{frame:03}.png"), frame)
 
     def most_memory(self, frames, *options):
-        """Of the process, MB. The address sanitizer would keep what was freed."""
+        """Peak memory of the process in MB. The address sanitizer would keep freed memory."""
         process = self.start("render", *MOVING, "--frames", f"0:{frames}", "--quiet", *options,
                              env={**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=1"})
         _, status, used = os.wait4(process.pid, 0)
@@ -261,7 +261,7 @@ class Clips(Film):
         self.write("walker.gltf", walker())
 
     def middle(self, *arguments):
-        """The middle of what is seen of it."""
+        """The middle of its visible part."""
         self.succeed("render", "walker.gltf", *self.OPTIONS, *arguments)
         covered = [pixel for pixel in read_exr(self.bytes_of("a.exr")).pixels() if pixel[3] == 1]
         self.assertGreater(len(covered), 10)
@@ -321,7 +321,7 @@ class Mp4(Film):
 
     @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
     def test_colours_are_those_of_the_stills(self):
-        # All background, of a colour that the matrices of BT.601 and BT.709 make different codes of.
+        # All background, in a colour that BT.601 and BT.709 encode differently.
         colour = ("--camera-direction", "0,0,1", "--fov-degrees", 170, "--background", ".9,.1,.02", "--tone", "none",
                   "--size", "32x32")
         self.succeed("render", *MODEL, *colour, "--frames", "0:0", "-o", "film.mp4")
@@ -361,7 +361,7 @@ class ProgressBar(Film):
     COLUMNS = 72
 
     def on_a_terminal(self, *arguments):
-        """What a terminal gets to see on standard error."""
+        """What a terminal receives on standard error."""
         try:
             terminal, side = pty.openpty()
         except OSError as error:

@@ -1,4 +1,4 @@
-"""Whoever interrupts the program finds whole files and nothing else."""
+"""Interrupting the program leaves whole files and nothing else."""
 
 import os
 import pathlib
@@ -55,7 +55,7 @@ class Interrupt(ProgramTest):
         process.wait()
 
     def test_killed_in_the_middle_of_writing(self):
-        """Nobody can clear away then; whoever writes there next does."""
+        """Nobody can clean up in that case; the next program that writes there does."""
         for _ in range(6):
             left = set(self.leftovers())
             self.kill(lambda: set(self.leftovers()) - left, "--resume", "-o", "f%d.exr")
@@ -98,7 +98,7 @@ class Interrupt(ProgramTest):
 
     @staticmethod
     def is_there(process):
-        """Dead ones that nobody has asked for do not count."""
+        """Whether a process exists; dead ones that were not reaped do not count."""
         try:
             state = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
         except OSError:
@@ -106,7 +106,7 @@ class Interrupt(ProgramTest):
         return state not in "ZX"
 
     def test_what_is_ignored_stays_ignored(self):
-        # As after nohup; the SIGTERM after it ends the program, the SIGHUP does not.
+        # As after nohup: the SIGHUP is ignored, the SIGTERM after it ends the program.
         process = self.start(*ENDLESS, "--size", "48x32", "-o", "f%d.png", ignored=(signal.SIGHUP,))
         self.wait_for(lambda: self.some("f*.png"), process)
         process.send_signal(signal.SIGHUP)

@@ -1,4 +1,4 @@
-"""What docs/json.md says of the keys that the program prints, and what is printed."""
+"""The keys that docs/json.md documents, and those that the program prints."""
 
 import pathlib
 import re
@@ -15,7 +15,7 @@ def documented(section):
 
 
 def keys(value, path=""):
-    """What is printed, as the document names it."""
+    """The printed keys in the document's notation."""
     if isinstance(value, dict) and set(value) == {"r", "g", "b"} and not isinstance(value["r"], dict):
         return {path}
     if isinstance(value, dict):
@@ -28,7 +28,7 @@ def keys(value, path=""):
 
 
 def without_medium(found, prefix):
-    """The same with a medium as one key, whose own are those of `media`."""
+    """The keys with each medium as a single key; its own keys are those of `media`."""
     inner = {key.removeprefix(prefix + ".") for key in found if key.startswith(prefix + ".")}
     assert inner == MEDIUM, inner
     return {key for key in found if not key.startswith(prefix + ".")} | {prefix}

@@ -1,5 +1,5 @@
-"""Every key that the program prints stands in docs/json.md, and every key there is printed; those of bench are
-looked at in bench_test.py."""
+"""Every key that the program prints is in docs/json.md, and the other way round; those of bench are tested in
+bench_test.py."""
 
 import json
 import re

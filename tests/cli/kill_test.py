@@ -1,4 +1,4 @@
-"""Kills at any moment leave whole files, and whoever goes on makes what one run would have made."""
+"""A kill at any moment leaves whole files, and continuing gives the result of a single run."""
 
 import os
 import random
@@ -21,8 +21,8 @@ class Kills(ProgramTest):
         self.random = random.Random(22)
 
     def kill_until_done(self, *arguments, seconds):
-        """Starts it again and again and kills it at a random moment, until one run ends by itself. A whole run takes about so
-        many seconds. Returns how often it was killed."""
+        """Starts the program again and again and kills it at random moments, until a run finishes. A whole run takes
+        about `seconds`. Returns the number of kills."""
         for kills in range(60):
             process = self.start(*arguments, stderr=subprocess.PIPE)
             try:

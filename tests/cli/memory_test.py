@@ -1,4 +1,4 @@
-"""A program that may take little memory renders or says so; it never crashes."""
+"""With little memory the program renders or reports the lack; it never crashes."""
 
 import os
 import resource

@@ -1,4 +1,4 @@
-"""The software device that scripts/fetch-ray-query-device.sh puts beside the system's."""
+"""The software device that scripts/fetch-ray-query-device.sh adds to the system's."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""What cannot be written is said, before the work where that can be known."""
+"""Failures to write are reported, before the work where possible."""
 
 import os
 import subprocess
@@ -33,7 +33,7 @@ class Files(ProgramTest):
         (self.folder / "folder.png").mkdir()
         (self.folder / "folder.svg").mkdir()
         (self.folder / "folder.json").mkdir()
-        # The scene does not exist either: that the output is complained about shows what comes first.
+        # The scene does not exist either: the complaint about the output shows the order of checks.
         for arguments in [("render", "no.ply", "-o", "missing/a.png"), ("render", "no.ply", "-o", "folder.png"),
                           ("render", "no.ply", "--report", "missing/a.json"),
                           ("render", "no.ply", "--report", "folder.json"),

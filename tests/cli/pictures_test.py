@@ -1,5 +1,5 @@
-"""Pictures of docs/ still show what their commands make: those of the built-in bear, at an eighth of their size or as they
-are, and plots; of the models, a quarter of that."""
+"""Pictures of docs/ still match their commands. Those of the built-in bear are made at an eighth of their size or at
+full size, as are plots; of those of models, a quarter is tested."""
 
 import os
 import pathlib
@@ -20,7 +20,7 @@ EDGE = 128
 # stop changes the mean by 3 %.
 MOST_RMSE = .08
 MOST_BIAS = .01
-# Another device rounds otherwise.
+# Devices round differently.
 MOST_RMSE_OF_MAPS = .02
 
 
@@ -41,7 +41,7 @@ class Pictures(ProgramTest):
         self.assertGreater(compared, 0)
 
     def shows(self, picture, made, scale):
-        """The picture, made smaller, is what was made now."""
+        """The stored picture, made smaller, equals the new one."""
         for source, target, filters in ((picture, "shown.png", f"scale={scale}:flags=area"), (made, "made.png", "null")):
             subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", source, "-vf", filters, target], cwd=self.folder,
                            check=True)

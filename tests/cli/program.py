@@ -1,4 +1,4 @@
-"""Runs the program and judges what every run owes: a status, and at most one sentence of error."""
+"""Runs the program and checks what every run must do: return a status, and print at most one sentence of error."""
 
 import json
 import os
@@ -43,7 +43,7 @@ class Run:
 
 
 class ProgramTest(unittest.TestCase):
-    """Each test has an empty folder of its own, where the program runs."""
+    """Each test has its own empty folder, in which the program runs."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -59,7 +59,7 @@ class ProgramTest(unittest.TestCase):
         return run
 
     def refused(self, status, *arguments, says=(), **keywords):
-        """Fails with this status and one sentence that contains all of `says`; prints nothing else."""
+        """Expects failure with this status and one sentence that contains all of `says`, and no other output."""
         run = self.run_program(*arguments, **keywords)
         self.assertEqual(run.status, status, f"{arguments}: {run.out[:200]} {run.err}")
         errors = [line for line in run.err.splitlines() if not line.startswith(("note: ", "warning: "))]
@@ -76,8 +76,8 @@ class ProgramTest(unittest.TestCase):
         return path
 
     def start(self, *arguments, ignored=(), **keywords):
-        """Does not wait; a program that is still there at the end of the test is killed. A signal that
-        is not ignored ends it, whatever whoever runs the tests does with signals."""
+        """Starts the program without waiting; it is killed at the end of the test if still running. Signals that are
+        not ignored end it, whatever the caller of the tests does with signals."""
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder,
                                    preexec_fn=lambda: heed_signals(ignored), **keywords)
         self.addCleanup(process.wait)
@@ -85,7 +85,7 @@ class ProgramTest(unittest.TestCase):
         return process
 
     def wait_for(self, what, process):
-        """Until `what` holds, which it must before the process ends."""
+        """Waits until `what` holds, which must be before the process ends."""
         deadline = time.monotonic() + LONGEST_SECONDS
         while not what():
             self.assertIsNone(process.poll(), "it ended too early")

@@ -1,4 +1,4 @@
-"""The reference: the same options, pixels and variables as render, and what it refuses."""
+"""The reference: it shares options, pixels and variables with render, and refuses the rest."""
 
 import math
 import unittest
@@ -42,7 +42,7 @@ class Pictures(Reference):
                 self.near(a, b, tolerance)
 
     def test_lights_are_those_of_render(self):
-        surfels = ("--max-surfels", 4096)  # hold one value each
+        surfels = ("--max-surfels", 4096)  # each holds one value
         texels = ("--sum", "pattern", "--transport", "dipole")
         for light, gathered in ((("--directional", "0,1,2:1,2,3"), surfels), (("--directional", "0,1,2:1,2,3"), texels),
                                 (("--point", "3,0,20:500,300,100"), texels), (("--ambient", "1,.5,0"), surfels),
@@ -50,7 +50,7 @@ class Pictures(Reference):
                                 (("--sphere", "0,0,30:6:1,2,3"), surfels), (("--disc", "0,0,25:0,0,-1:6:1,2,3"), surfels),
                                 (("--rectangle", "0,0,25:6,0,0:0,-6,0:1,2,3"), surfels),
                                 (("--tube", "0,-9,25:0,9,25:3:1,2,3"), surfels)):
-            # Those of area lights stand for the Fresnel term by two lobes.
+            # Area lights approximate the Fresnel term by two lobes.
             tolerance = 4e-3 if light[0] in ("--directional", "--point", "--spot", "--ambient") else 1e-2
             options = ("--aov", "irradiance", *light)
             found = self.exr("render", *gathered, *options).centre()
@@ -58,7 +58,7 @@ class Pictures(Reference):
                 self.assertAlmostEqual(a, b, delta=tolerance * b)
 
     def test_ambient_occlusion_is_that_of_render(self):
-        """By a thousand rays a pixel there, by the few of clusters here."""
+        """The reference uses a thousand rays per pixel, render the few of the clusters."""
         scene = ("--builtin", "bear", "--diagonal-mm", 50, "--ambient", 1, "--size", "96x96", "--aov", "irradiance")
         self.succeed("reference", "--integral", "--ambient-occlusion", *scene, "-o", "truth.exr")
         hidden = ((), ("--transport", "better-dipole", "--ambient-occlusion"), ("--method", "paper", "--ambient-occlusion"))

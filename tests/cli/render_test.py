@@ -1,4 +1,4 @@
-"""`render`: what each option does to the picture, against values known on paper."""
+"""`render`: the effect of each option on the picture, against values known on paper."""
 
 import json
 import math
@@ -13,10 +13,10 @@ DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
 ENTERING = .96
-# A cube whose centre is not the origin, of a medium in which nothing shines through.
+# A cube whose centre is not at the origin, of a medium that lets no light through.
 BODY = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48",
         "--shadow-size", 256, "--quiet")
-# With few sources; the pattern has others.
+# With few sources, except for the pattern.
 CUBE = (*BODY, "--max-surfels", 4096)
 LOUD = tuple(part for part in CUBE if part != "--quiet")
 PATTERN = (*BODY, "--sum", "pattern", "--dsm-size", 128)
@@ -99,7 +99,7 @@ class Outputs(Render):
             report = self.succeed("render", *CUBE, *asked, "--json", "-o", "a.png").json()
             self.assertEqual((report["transport"], report["sum"]), ("boundary", "tree"))
             self.assertTrue(0 < report["clusters"] <= report["sources"])
-            # One of the light from outside, and one a bounce of it.
+            # One solution for light from outside, and one for each bounce.
             self.assertEqual(len(report["solutions"]), 1 + bounces)
             for solution in report["solutions"]:
                 self.assertEqual(set(solution), {"steps", "residual"})
@@ -134,7 +134,7 @@ class Outputs(Render):
                 for site in ("vertex", "fragment"):
                     asked = {"transport": transport, "sum": total, "site": site}
                     options = [part for name, value in asked.items() for part in (f"--{name}", value)]
-                    # All surfels with all take long where there are many.
+                    # Summing over all surfels takes long if there are many.
                     few = ("--dsm-size", 128) if total == "pattern" else ("--max-surfels", 1024)
                     report = self.succeed("render", *BODY, *options, *few, "--json", "-o", "a.png").json()
                     self.assertEqual({name: report[name] for name in asked}, asked)
@@ -295,7 +295,7 @@ class Geometry(Render):
 
 
 class Light(Render):
-    """Under any transport; this one is quick."""
+    """These options work with any transport; this one is quick."""
 
     def exr(self, *arguments):
         return super().exr("--transport", "dipole", *arguments)

@@ -16,9 +16,9 @@
 
 namespace opaline::test {
 
-/// A program with a Vulkan device of its own, made as vulkanNeeds() says, under the validation
-/// layer with synchronization validation or without. Counts what the library does with the queue.
-/// Command buffers, submissions, timelines and buffers may be made on any thread: each has its own.
+/// A program with its own Vulkan device, made as vulkanNeeds() requires, with or without
+/// synchronization validation. Counts what the library does with the queue. Command buffers,
+/// submissions, timelines and buffers may be made on any thread, which each have their own.
 class Engine {
  public:
   explicit Engine(bool validated = true);
@@ -26,7 +26,7 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// What the library is given. Its queue is locked by a mutex of the engine.
+  /// The device as given to the library. A mutex of the engine locks its queue.
   GivenVulkan given();
   RendererOptions options() { return {.given = given()}; }
 
@@ -35,7 +35,7 @@ class Engine {
   /// Calls of vkQueueSubmit2 by the library, and of vkDeviceWaitIdle and vkQueueWaitIdle.
   static int submissions();
   static int waitsForIdle();
-  /// The library's submissions and waits fail from now on as if the device were lost, or no more.
+  /// Makes the library's submissions and waits fail as if the device were lost, or succeed again.
   static void loseDevice(bool lost);
   /// How often the library held the lock.
   int locks() const { return locks_; }
@@ -50,7 +50,7 @@ class Engine {
     return {own.timeline, ++own.lastPoint};
   }
 
-  /// Memory for anyone to see, freed with the engine.
+  /// Memory that everyone may use, freed with the engine.
   struct Memory {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     std::byte* mapped = nullptr;
@@ -76,7 +76,7 @@ class Engine {
   void submit(VkCommandBuffer commands, const TimelinePoint& point,
               const std::vector<TimelinePoint>& waits = {});
   void waitFor(const TimelinePoint& point) const;
-  /// From the host, for work that waits for it.
+  /// Signals from the host, for work that waits for the point.
   void signal(const TimelinePoint& point) const;
   /// Records commands, submits them and waits.
   void run(const std::function<void(VkCommandBuffer)>& record);
@@ -86,13 +86,13 @@ class Engine {
                     const Target& depth, float depthValue);
   /// The texels of a target that was left as an attachment, four bytes or four floats each.
   std::vector<float> read(const Target& target);
-  /// The same of what the library leaves in R G B A of four floats, in the layout that it says.
+  /// The same for the library's images of four floats R G B A, in their stated layout.
   std::vector<float> read(const DeviceImage& image);
-  /// The mean over the samples of a colour, into a target with one.
+  /// Resolves a multisampled colour into a target with one sample.
   void resolve(const Target& from, const Target& to);
 
  private:
-  /// What a thread has for itself.
+  /// What each thread owns.
   struct Lane {
     VkSemaphore timeline = VK_NULL_HANDLE;
     VkCommandPool pool = VK_NULL_HANDLE;

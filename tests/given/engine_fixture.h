@@ -10,8 +10,8 @@
 
 namespace opaline::test {
 
-/// A test with an engine, in which any message of the validation layer is a failure, also those
-/// when its device goes and finds objects that were left.
+/// A test with an engine. Any message of the validation layer is a failure, including those about
+/// objects left when the device is destroyed.
 class EngineTest : public testing::Test {
  protected:
   explicit EngineTest(bool validated = true) : validated_(validated) {}
@@ -35,7 +35,7 @@ class EngineTest : public testing::Test {
     return options;
   }
 
-  /// What a renderer with a device of its own makes of it.
+  /// The same images from a renderer with its own device.
   static std::vector<Image> alone(const Scene& scene, const RenderOptions& options,
                                   const std::vector<Aov>& aovs = {Aov::Radiance}) {
     Renderer renderer;

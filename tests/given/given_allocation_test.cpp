@@ -1,5 +1,5 @@
-// Frames recorded for an engine take no memory from the heap once they have warmed up, whatever
-// they leave on its device. Without the validation layer, whose memory would be counted too.
+// Frames recorded for an engine allocate nothing once they have warmed up, whatever they leave on
+// its device. The validation layer is off, since its memory would be counted too.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ class GivenAllocationTest : public GivenFramesTest {
  protected:
   GivenAllocationTest() : GivenFramesTest(false) {}
 
-  /// Of the frames after the warm-up. Before each, time and camera change, from camera_ to a
-  /// perspective one and back.
+  /// Allocations of frames after the warm-up. Before each, time and camera change, from camera_ to
+  /// a perspective one and back.
   std::size_t allocationsOf(View& view, const DeviceOutputs& outputs, const FrameOrder& order) {
     constexpr int warmUp = 4;
     constexpr int steady = 6;
@@ -38,7 +38,7 @@ class GivenAllocationTest : public GivenFramesTest {
     return found;
   }
 
-  /// Laid over targets of so many samples.
+  /// The same for frames drawn over targets with so many samples.
   std::size_t allocationsOver(View& view, VkSampleCountFlagBits samples) {
     const VkExtent2D extent{size, size};
     const Engine::Target color =

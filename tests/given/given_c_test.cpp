@@ -1,4 +1,5 @@
-// The C interface on a caller's device. Vulkan's header comes first, so that it has that part.
+// The C interface on a caller's device. Vulkan's header comes first, so that ours declares that
+// part.
 #include <vulkan/vulkan.h>
 
 #include <gtest/gtest.h>
@@ -147,7 +148,7 @@ TEST_F(GivenCTest, ARecordedFrameIsTheRenderedOne) {
   EXPECT_EQ(opalinePipelineCache(renderer, cache.data(), &size), OpalineOk);
 }
 
-// Of a buffer that only changes when it is given again, light can be reused.
+// Light can be reused with a buffer that only changes when it is given again.
 TEST_F(GivenCTest, PositionsOfABufferThatStandsStillKeepTheirLight) {
   OpalineScene* scene = nullptr;
   ASSERT_EQ(opalineCreateTeapot(nullptr, &scene), OpalineOk);

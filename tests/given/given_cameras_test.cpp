@@ -1,4 +1,4 @@
-// Cameras by matrices of the caller's.
+// Cameras given by the caller's matrices.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST_F(GivenFramesTest, MatricesSeeWhatTheCameraSees) {
   }
 }
 
-// Jitter by a pixel is the picture beside it, whether viewToClip has it or not.
+// Jitter by a pixel shows the neighbouring picture, whether viewToClip contains it or not.
 TEST_F(GivenFramesTest, JitterMovesThePicture) {
   View view(renderer(), options());
   CameraMatrices given = matrices(true);
@@ -60,7 +60,7 @@ TEST_F(GivenFramesTest, JitterMovesThePicture) {
   EXPECT_GT(covered, std::size_t{size} * size / 8);
 }
 
-// Of an orthographic projection what a camera of that height sees, with depths as even steps.
+// An orthographic projection shows what a camera of that height does, with linear depths.
 TEST_F(GivenFramesTest, OrthographicMatricesSeeWhatTheOrthographicCameraSees) {
   constexpr float heightMm = 24;
   Camera camera = scene_.camera;

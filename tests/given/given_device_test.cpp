@@ -92,7 +92,7 @@ TEST_F(GivenDeviceTest, WhatCannotBeUsedSaysSo) {
   EXPECT_THROW(static_cast<void>(view.options()), UsageError);
 }
 
-// Structures of Vulkan versions and of single extensions turn on the same features.
+// Structures of Vulkan versions and of single extensions enable the same features.
 TEST_F(GivenDeviceTest, FindsFeaturesInWhicheverStructureHasThem) {
   VkPhysicalDeviceVulkan12Features of12{};
   of12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
@@ -115,8 +115,8 @@ TEST_F(GivenDeviceTest, FindsFeaturesInWhicheverStructureHasThem) {
   EXPECT_NE(complaint.find("imageCubeArray, timelineSemaphore"), std::string::npos) << complaint;
 }
 
-// The engine submits from a third. Frames of several sizes are under way when their views change
-// or go; some are submitted by the library, others recorded.
+// The engine submits from a third thread. Frames of several sizes are under way when their views
+// change or are destroyed; some are submitted by the library, others recorded.
 TEST_F(GivenDeviceTest, ViewsOfTwoRenderersChangeAndGoWhileThreeThreadsUseTheQueue) {
   const Scene scene = wobblyBall();
   const auto work = [&] {
@@ -159,7 +159,7 @@ TEST_F(GivenDeviceTest, ViewsOfTwoRenderersChangeAndGoWhileThreeThreadsUseTheQue
   EXPECT_EQ(Engine::waitsForIdle(), 0);
 }
 
-// The engine submits from a third.
+// The engine submits from a third thread.
 TEST_F(GivenDeviceTest, RenderersOnTwoThreadsShareTheQueueUnderItsLock) {
   const Scene scene = wobblyBall();
   const std::vector<Image> expected = alone(scene, tinyOptions());
@@ -190,8 +190,8 @@ void expectLost(const std::function<void()>& call) {
   }
 }
 
-// Only the calls fail: afterwards the device finishes what it has, so that the validation layer can
-// tell what is destroyed too early, and what is left.
+// Only the calls fail. The device finishes its work afterwards, so that the validation layer can
+// tell what is destroyed too early and what is left.
 TEST_F(GivenDeviceTest, ALostDeviceIsOneSentenceAndNothingIsLeft) {
   Renderer renderer(engine().options());
   renderer.setScene(wobblyBall());

@@ -51,7 +51,7 @@ TEST_F(ComputeTest, PushConstantsSpecializationUniformsAndBuffersArrive) {
   }
 }
 
-// Each dispatch reads what another invocation of the one before wrote; n turns add n.
+// Each dispatch reads what other invocations of the previous one wrote; n turns add n.
 TEST_F(ComputeTest, DispatchesSeeWhatEarlierOnesWrote) {
   constexpr std::uint32_t count = 1U << 16;
   std::vector<std::uint32_t> values(count);
@@ -96,7 +96,7 @@ TEST_F(ComputeTest, OneBufferMayStandAtTwoSlots) {
   EXPECT_EQ(readAs<std::uint32_t>(device(), output), std::vector<std::uint32_t>(64, 15U));
 }
 
-// However many dispatches long work is cut into: each invocation runs once.
+// However many dispatches long work is cut into, each invocation runs once.
 TEST_F(ComputeTest, LongWorkIsCutWithoutGapsOrOverlaps) {
   const Compute<shaders::Invocations> invocations(device(), "invocations");
   const Compute<shaders::Tiles> tiles(device(), "tiles");

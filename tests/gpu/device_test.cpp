@@ -85,7 +85,7 @@ TEST(DeviceChoice, SaysWhatToInstallWhenThereIsNoDevice) {
             std::string::npos);
 }
 
-// What Vulkan promises of every device is not enough.
+// The limits that Vulkan guarantees for every device are too low.
 TEST(DeviceChoice, SaysWhichLimitsAreTooLow) {
   VkPhysicalDeviceLimits limits{};
   limits.maxPerStageDescriptorStorageBuffers = 4;
@@ -106,7 +106,7 @@ TEST(DeviceChoice, SaysWhichUsesOfFormatsAreMissing) {
       "linear filtering of images of 32-bit floats");
   EXPECT_EQ(without(VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT),
             "depth maps of 32-bit floats");
-  // Nothing is blended.
+  // Blending is not needed.
   EXPECT_EQ(without(VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT),
             "");
 }
@@ -153,7 +153,8 @@ void exitWithZeroIfADriverStaysOpen() {
   std::exit(loadedLibraries() == closed ? 0 : 2);
 }
 
-// A process can open some only so often. In one of its own, for devices of other tests are open.
+// A process can load drivers only so often. This one has its own process, since devices of other
+// tests are open.
 TEST(DriversDeathTest, AreNotClosedWithADevice) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(exitWithZeroIfADriverStaysOpen(), testing::ExitedWithCode(0), "^$");

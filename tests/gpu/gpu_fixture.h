@@ -14,8 +14,8 @@
 
 namespace opaline::gpu {
 
-/// The device of all GPU tests of a process, opened at first use with the validation layer on, and
-/// what the layer said.
+/// The device of all GPU tests in a process, opened at first use with the validation layer on, and
+/// the layer's messages.
 struct SharedDevice {
   DeviceOptions options{.validation = true};
   std::unique_ptr<Device> device;
@@ -36,7 +36,7 @@ struct SharedDevice {
       reason = error.what();
     }
   }
-  /// Any message fails the running test.
+  /// Any message fails the current test.
   void reportMessages() {
     for (const std::string& message : std::exchange(messages, {})) ADD_FAILURE() << message;
   }
@@ -47,13 +47,13 @@ inline SharedDevice& sharedDevice() {
   return shared;
 }
 
-/// One that sends rays by VK_KHR_ray_query, if any device can.
+/// A device that casts rays by VK_KHR_ray_query, if there is one.
 inline SharedDevice& sharedRayQueryDevice() {
   static SharedDevice shared{.options = {.validation = true, .rayQueries = true}};
   return shared;
 }
 
-/// Closes the devices after the last test, when the layer speaks of objects that were left behind.
+/// Closes the devices after the last test; the layer then reports objects that were left behind.
 class CloseSharedDevice : public testing::Environment {
  public:
   void TearDown() override {

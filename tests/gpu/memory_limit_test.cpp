@@ -21,9 +21,9 @@ using testing::HasSubstr;
 
 constexpr std::size_t megabyte = 1'000'000;
 
-#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of address space itself
+#ifndef __SANITIZE_ADDRESS__  // it takes terabytes of address space itself
 
-/// Of address space, which a limit counts.
+/// The address space in use, to which the limit applies.
 std::size_t bytesTaken() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -53,7 +53,7 @@ void exitWithZeroIfNoDeviceIsOpenedWith(std::size_t bytes) {
   std::exit(1);
 }
 
-// A limit of address space cannot be taken back by everybody: each in a process of its own.
+// A limit of address space cannot always be undone, so each test has its own process.
 TEST(HostMemoryDeathTest, IsAskedForWithoutTakingIt) {
   EXPECT_EXIT(exitWithZeroIfRoomIsToldTrulyWith(200 * megabyte), testing::ExitedWithCode(0), "");
   EXPECT_TRUE(core::hasRoomFor(megabyte));

@@ -9,8 +9,8 @@
 namespace opaline::gpu {
 namespace {
 
-// The loader keeps what it has found for the life of the process, so the search for drivers that
-// finds none happens in a process of its own.
+// The loader keeps what it has found for the life of the process, so a search that finds no driver
+// needs its own process.
 void exitWithZeroIfThereIsNoDevice() {
   for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) {
     setenv(name, "/nonexistent/driver.json", 1);

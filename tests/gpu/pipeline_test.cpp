@@ -37,7 +37,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL loadCounting(VkDevice device, const cha
 
 }  // namespace
 
-// Stands before the loader's in this program, to count.
+// Replaces the loader's function in this program, to count calls.
 extern "C" VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance,
                                                                           const char* name) {
   static const auto load =

@@ -12,8 +12,8 @@
 namespace opaline::gpu {
 namespace {
 
-// Which submissions are recorded. The validation layer complains of a command buffer whose objects
-// are gone, and any message fails the test.
+// Which submissions are recorded. The validation layer reports command buffers whose objects are
+// gone, and any message fails the test.
 class RecordingTest : public GpuTest {
  protected:
   template <typename Fill>
@@ -39,7 +39,7 @@ TEST_F(RecordingTest, TheSameCommandsAreRecordedOnce) {
       list.endPass();
     });
   };
-  // The first waits for what makes the buffer, all others for the one before.
+  // The first waits for the buffer's initialization, every other for the previous one.
   EXPECT_EQ(filledWith(1), 1U);
   EXPECT_EQ(list.counts().barriers, 1U);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(filledWith(1), 0U);
@@ -80,7 +80,7 @@ TEST_F(RecordingTest, OtherBarriersAreRecorded) {
   EXPECT_EQ(readAs<std::uint32_t>(device(), to), four(4));
 }
 
-// Drivers give the handle of what has gone to what comes next.
+// Drivers reuse the handle of a destroyed object for the next one.
 TEST_F(RecordingTest, WhatTakesThePlaceOfAnotherIsRecorded) {
   Buffer kept = makeBuffer(device(), "kept", four(0), 0);
   CommandList list(device(), "copy", 0);

@@ -12,7 +12,7 @@
 namespace opaline::gpu {
 namespace {
 
-// The validation layer complains of objects that go while the device works with them, and any
+// The validation layer reports objects that are destroyed while the device uses them, and any
 // message fails the test.
 using RetireTest = GpuTest;
 
@@ -75,7 +75,7 @@ TEST_F(RetireTest, SubmissionsAreNumberedAndWaitedForByNumber) {
   EXPECT_EQ(readAs<std::uint32_t>(device(), buffer)[7], 3U);
 }
 
-// What a slice holds is not written over before the device has read it.
+// A slice is not overwritten before the device has read it.
 TEST_F(RetireTest, SlicesOfAnUploadRingWaitForTheirReaders) {
   constexpr std::uint32_t rounds = 12;
   UploadRing ring(device(), "ring", 16, 2, 0);

@@ -41,7 +41,7 @@ TEST_F(TexelTest, EveryTexelArrives) {
   std::vector<Texel> values;
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto number = static_cast<float>(i);
-    // Numbers and what only looks like one: a bit set that makes any other bits a normal float.
+    // Numbers, and bits made to look like numbers: one set bit makes any others a normal float.
     values.push_back({number, -number, std::bit_cast<float>(0x20000000U | i),
                       std::bit_cast<float>(0xA0000000U | i)});
   }
@@ -64,8 +64,8 @@ TEST_F(TexelTest, EveryTexelArrives) {
   EXPECT_EQ(results[count], Texel{});
 }
 
-// Each dispatch reads as texels what other invocations of the one before wrote as texelUsage, and
-// the one after it overwrites them.
+// Each dispatch reads as texels what others of the previous one wrote as texelUsage, and the next
+// dispatch overwrites it.
 TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
   constexpr std::uint32_t count = 1U << 15U;
   std::vector<Texel> values;
@@ -87,7 +87,7 @@ TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
   }
 }
 
-// What is left of a buffer after its last whole texel is not read.
+// The rest of a buffer after its last whole texel is not read.
 TEST_F(TexelTest, ABufferMayEndWithinATexel) {
   Buffer from =
       makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), texelUsage | texels);

@@ -61,7 +61,7 @@ TEST_F(TimingTest, TimingsAreThoseOfTheLastFinishedSubmission) {
   EXPECT_EQ(list.frameMilliseconds(), 0);
 }
 
-// Of bands of a large picture there are thousands, and in the next frame fewer or more.
+// A large picture has thousands of bands, and the next frame may have fewer or more.
 TEST_F(TimingTest, ManyPassesAreTimed) {
   constexpr int most = 150;
   Buffer buffer(device(), {"filled", 1U << 16, 0, Memory::Device});

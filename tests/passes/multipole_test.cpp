@@ -63,7 +63,7 @@ struct Exact {
   Real second;
 };
 
-// Central differences, freed of their errors of second to sixth order (Richardson 1911).
+// Central differences without their errors of second to sixth order (Richardson 1911).
 Exact derivativesAt(const Profile& p, Real squaredMm2) {
   const Real pole = squaredMm2 + Real{p.zRealMm} * Real{p.zRealMm};
   const Real widest = pole / (10 + 5 * Real{p.sigmaTrPerMm} * std::sqrt(pole));
@@ -97,7 +97,7 @@ double off(float found, Real exact) {
   return static_cast<double>(std::abs(Real{found} / exact - 1));
 }
 
-// Over all places up to so many mean free paths away, or so many lengths of diffusion.
+// Worst error over all places up to so many mean free paths, or diffusion lengths, away.
 Worst worstOf(const Medium& medium, Model model, double meanFreePaths) {
   const std::array<Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
   const shared::Profile packed = shaders::packProfile(profiles);
@@ -145,8 +145,8 @@ TEST(MultipoleShader, DipolesDerivatives) {
   expectDerivatives(Model::Dipole, 1000, 1e-5);
 }
 
-// Fluence is a difference of two poles: far from both, what is left of it is as small as the square
-// of their distance from each other over that from the place, and so is the accuracy.
+// Fluence is a difference of two poles. Far from both it is as small as the square of the poles'
+// distance over that from the place, and its accuracy falls likewise.
 TEST(MultipoleShader, BetterDipolesDerivatives) {
   expectDerivatives(Model::BetterDipole, 10, 1e-5);
   expectDerivatives(Model::BetterDipole, 100, 5e-4);

@@ -1,4 +1,4 @@
-// What sums over coarse sources lack, against sums over lattices of them.
+// What sums over coarse sources miss, against sums over lattices of sources.
 
 #include "passes/scatter/nearby_shares.h"
 
@@ -14,8 +14,8 @@
 namespace opaline::passes {
 namespace {
 
-// Over a square lattice of sources in unit irradiance, as the shaders sum it, at a place within one
-// of its squares.
+// The shaders' sum over a square lattice of sources in unit irradiance, at a place within one of
+// its squares.
 double latticeSum(const bssrdf::Profile& profile, double spacingMm, std::array<double, 2> place) {
   const double reachMm = static_cast<double>(shared::reachInSpacings) * spacingMm;
   const int cells = static_cast<int>(std::ceil(20 / (profile.sigmaTrPerMm * spacingMm))) + 6;

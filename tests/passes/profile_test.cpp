@@ -51,8 +51,7 @@ class ProfileTest : public gpu::GpuTest {
       exact[static_cast<std::size_t>(c)] =
           bssrdf::makeProfile(model, bssrdf::coefficients(medium, c));
     for (std::size_t c = 0; c < 3; ++c) {
-      // Without absorption there is no length of diffusion; a thousand mean free paths stand for
-      // it.
+      // Without absorption there is no diffusion length; a thousand mean free paths stand in.
       const double farMm =
           exact[c].sigmaTrPerMm > 0 ? 20 / exact[c].sigmaTrPerMm : 1000 * exact[c].zRealMm;
       std::vector<float> squared;

@@ -31,7 +31,7 @@ constexpr std::uint32_t size = 32;  // of the picture
 
 using Triangles = std::vector<std::array<glm::vec3, 3>>;
 
-// Seen from the origin along z: clip space is x, y, what `depth` makes of 1 and z, and z.
+// Seen from the origin along z: clip space is x, y, `depth` applied to 1 and z, and z.
 glm::mat4 alongZ(glm::vec2 depth) {
   glm::mat4 matrix(0);
   matrix[0][0] = matrix[1][1] = 1;
@@ -43,7 +43,7 @@ glm::mat4 alongZ(glm::vec2 depth) {
 
 class RasterTest : public gpu::GpuTest {
  protected:
-  // Which triangle each sample sees, or none.
+  // The triangle that each sample sees, or none.
   std::vector<std::optional<std::size_t>> draw(const Triangles& triangles,
                                                const std::vector<glm::vec2>& samples,
                                                const glm::mat4& toClip) {
@@ -94,7 +94,7 @@ class RasterTest : public gpu::GpuTest {
     return seen;
   }
 
-  // The same, drawn in the opposite order.
+  // The same, drawn in reverse order.
   std::vector<std::optional<std::size_t>> drawBackwards(Triangles triangles,
                                                         const std::vector<glm::vec2>& samples,
                                                         const glm::mat4& toClip) {
@@ -105,8 +105,7 @@ class RasterTest : public gpu::GpuTest {
     return seen;
   }
 
-  // A sample that two of these triangles have sees either the first or the last of them, as all are
-  // equally near.
+  // A sample in two of these triangles sees either the first or the last, as all are equally near.
   void expectEachSampleOnce(const Triangles& triangles, const std::vector<glm::vec2>& samples) {
     const glm::mat4 evenDepth = alongZ({0, 0.5F});
     const auto forwards = draw(triangles, samples, evenDepth);
@@ -123,7 +122,7 @@ float clipOf(float pixels) {
   return 2 * pixels / size - 1;
 }
 
-// All edges, also the oblique ones, go through the samples of pixels.
+// All edges, including oblique ones, pass through samples of pixels.
 TEST_F(RasterTest, SamplesOnEdgesAreSeenOnce) {
   std::vector<float> lines{-1};
   for (float pixels = 2.5F; pixels < size; pixels += 3) lines.push_back(clipOf(pixels));
@@ -167,7 +166,7 @@ TEST_F(RasterTest, AFanHasNoHolesWhereverItsCornersAre) {
 
 struct Meeting {
   double z = 1e30;    // along the line of sight
-  double inside = 0;  // how far from the triangle's edges, of its size
+  double inside = 0;  // distance from the triangle's edges, relative to its size
 };
 
 // Möller and Trumbore 1997.

@@ -18,7 +18,7 @@ namespace opaline::passes::test {
 using opaline::test::cross;
 using opaline::test::Vector;
 
-/// A surface at rest, which is divided, and where its vertices have moved since.
+/// A surface at rest, which is divided, and the current places of its vertices.
 struct Body {
   std::vector<Vec3> rest;
   std::vector<Vec3> moved;
@@ -59,14 +59,14 @@ inline Body bodyOf(const Mesh& mesh) {
   return body;
 }
 
-/// About the y axis, half a turn in 40 mm.
+/// Twists about the y axis by half a turn in 40 mm.
 inline Vector twisted(const Vector& p) {
   const double angle = p[1] * 3.14 / 40;
   return {std::cos(angle) * p[0] + std::sin(angle) * p[2], p[1],
           std::cos(angle) * p[2] - std::sin(angle) * p[0]};
 }
 
-/// What a shader is given: distances in lengths of the direction.
+/// A ray as shaders get it: distances are in lengths of the direction.
 struct Ray {
   std::array<float, 3> origin{};
   float from = 0;
@@ -74,7 +74,7 @@ struct Ray {
   float to = 1e6F;
 };
 
-/// Where a ray meets a triangle's plane, and how far inside the nearest edge that is, mm.
+/// Where a ray meets a triangle's plane, and the distance inside the nearest edge, mm.
 struct PlaneHit {
   double distance = 0;
   double insideMm = -std::numeric_limits<double>::infinity();
@@ -102,7 +102,7 @@ inline PlaneHit meet(const Ray& ray, const std::array<Vector, 3>& corners) {
   return hit;
 }
 
-/// The nearest hit as any exact arithmetic may find it that moves edges by `roundingMm`.
+/// The nearest hit that exact arithmetic may find if rounding moves edges by `roundingMm`.
 struct Expected {
   double earliest = std::numeric_limits<double>::infinity();
   double latest = std::numeric_limits<double>::infinity();

@@ -35,7 +35,7 @@ struct Hit {
   std::uint32_t unused = 0;
 };
 
-/// As lib/bounds.glsl has them.
+/// The bounds as in lib/bounds.glsl.
 inline std::vector<std::uint32_t> boundsOf(const std::vector<Vec3>& positions) {
   std::vector<std::uint32_t> bounds(6, 0xffffffffU);
   for (const Vec3& position : positions)
@@ -77,12 +77,12 @@ class RayTracer {
     commands_.wait();
   }
 
-  /// Nearest hits on an object, or on all.
+  /// Nearest hits on one object, or on all.
   std::vector<Hit> nearest(const std::vector<Ray>& rays, std::uint32_t object) {
     return trace(rays, object, 0);
   }
   std::vector<Hit> nearest(const std::vector<Ray>& rays) { return trace(rays, everyObject, 0); }
-  /// How often the rays meet the surface, where hits nearer to each other than `apart` are one.
+  /// How often rays meet the surface, where hits closer than `apart` count as one.
   std::vector<std::uint32_t> crossings(const std::vector<Ray>& rays, float apart) {
     std::vector<std::uint32_t> counts;
     for (const Hit& hit : trace(rays, everyObject, apart)) counts.push_back(hit.piece);

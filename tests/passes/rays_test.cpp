@@ -36,7 +36,7 @@ using opaline::test::unit;
 
 namespace fs = std::filesystem;
 
-/// What sends the rays.
+/// Who casts the rays.
 enum class By { ComputeShaders, RayQueries };
 
 std::string nameOf(By by) {
@@ -117,13 +117,13 @@ std::array<Vector, 3> cornersOf(const Body& body, const surfels::Piece& piece) {
   return corners;
 }
 
-/// By how much edges move by rounding for a ray.
+/// How far rounding moves edges for a ray.
 double roundingMm(double reachMm, const Ray& ray) {
   for (const float x : ray.origin) reachMm = std::max(reachMm, static_cast<double>(std::abs(x)));
   return 1e-6 * reachMm;
 }
 
-/// That hits are where they are by all triangles, and in the pieces said.
+/// Expects hits where all triangles have them, in the stated pieces.
 void compare(const Body& body, const RayTracer& tracer, const std::vector<Ray>& rays,
              const std::vector<Hit>& hits, std::uint32_t firstObject, std::uint32_t endObject) {
   std::size_t found = 0;
@@ -166,10 +166,10 @@ void expectExact(gpu::Device& device, const Body& body, double spacingMm, std::s
   compare(body, tracer, rays, tracer.nearest(rays), 0, body.objects);
 }
 
-/// Whether two crossings are so near to each other that rounding may make one of them.
+/// Whether two crossings are so close that rounding may merge them.
 bool hasCrossingsTogether(const Body& body, const Ray& ray, double apartMm) {
   const double rounding = roundingMm(body.reachMm(), ray);
-  std::vector<std::pair<double, double>> crossings;  // distance, by how much it may be off
+  std::vector<std::pair<double, double>> crossings;  // distance and its uncertainty
   for (const Triangle& triangle : body.triangles) {
     const PlaneHit hit =
         meet(ray, {body.place(triangle[0]), body.place(triangle[1]), body.place(triangle[2])});
@@ -264,7 +264,7 @@ TEST_P(RaysTest, MeetsOnlyTheObjectsAskedFor) {
   compare(body, tracer, rays, tracer.nearest(rays), 0, body.objects);
 }
 
-// The box's faces, edges and pieces' edges lie in planes in which rays run, or start.
+// The faces, edges and pieces' edges of the box lie in planes in which rays run or start.
 TEST_P(RaysTest, MeetsBoxesAlongTheAxes) {
   Body body = bodyOf(box({0, 0, 0}, {8, 8, 8}, 4));
   RayTracer tracer(device(), body, 1, 1 << 20);
@@ -293,8 +293,8 @@ TEST_P(RaysTest, MeetsBoxesAlongTheAxes) {
   }
 }
 
-/// From inside, at vertices and at places on edges of triangles and pieces: all meet something, and
-/// not later than there, unless the ray just passes by an edge that sticks out.
+/// From inside, rays to vertices and to places on edges of triangles and pieces must hit something
+/// no later than there, unless they just pass a protruding edge.
 void expectNoCracks(gpu::Device& device, const Body& body, const Vector& inside, double spacingMm) {
   RayTracer tracer(device, body, spacingMm, 1 << 20);
   Random random;
@@ -338,7 +338,7 @@ TEST_P(RaysTest, NoRaySlipsThroughTheBear) {
   expectNoCracks(device(), body, {0, 15, 0}, 100);
 }
 
-// Neighbouring triangles are not divided alike: pieces' corners lie on others' edges.
+// Neighbouring triangles are divided differently, so that corners of pieces lie on edges of others.
 TEST_P(RaysTest, NoRaySlipsBetweenPieces) {
   Mesh mesh = sphere({0, 0, 0}, 10, 2);
   for (Vec3& p : mesh.positionsMm) p[1] = 1.7F * p[1] + 0.8F * p[0];
@@ -356,14 +356,14 @@ TEST_P(RaysTest, ClosedSurfacesAreCrossedEvenly) {
   expectEvenCrossings(device(), bear, 100, 1e-5);
 }
 
-// Both of two pieces may be met where they meet, one a little further than the other.
+// A ray may hit both of two adjacent pieces, one slightly later than the other.
 TEST_P(RaysTest, ClosedSurfacesOfPiecesAreCrossedEvenly) {
   Body body = bodyOf(sphere({1, 2, 3}, 10, 3));
   body.move(twisted);
   expectEvenCrossings(device(), body, 0.5, 1e-4);
 }
 
-// What has no area is never hit, in a point or on a line; and flat it is hit like any other.
+// Triangles without area, points or lines, are never hit; flat ones with area are.
 TEST_P(RaysTest, NothingIsHitThatHasNoArea) {
   Random random;
   Body body = bodyOf(sphere({0, 0, 0}, 10, 2));

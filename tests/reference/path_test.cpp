@@ -45,9 +45,7 @@ TEST(PathTest, WhatEntersLeavesWithoutAbsorption) {
   EXPECT_LT(tracer.lostShare(0), 1e-4);
 }
 
-// In the same light from everywhere a body that does not absorb cannot be told from its
-// surroundings: as much leaves it, through its surface or reflected off it, as falls on it.
-// As many particles meet a ball as light of a spot that shines past its rim falls on it.
+// The number of particles that hit a ball must match the light of a spot that shines past its rim.
 TEST(PathTest, ASpotLightShinesIntoItsCone) {
   const double radius = 3;
   const double distance = 10;
@@ -113,6 +111,8 @@ TEST(PathTest, AreaLightsShineOnABall) {
   EXPECT_NEAR(shares(DiscLight{{0, 20, 0}, {0, 1, 0}, 5, {2, 2, 2}, true}) / shares(disc), 1, 0.02);
 }
 
+// In even light a body without absorption cannot be told from its surroundings: as much light
+// leaves it, through its surface or reflected, as falls on it.
 TEST(PathTest, WhiteFurnace) {
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 2, 4), 2, 0, 1.3));
   scene.lighting.ambient = {1, 1, 1};

@@ -41,7 +41,8 @@ Matrix3 rotationIn(const Matrix3& map) {
   return svd.matrixU() * sign * svd.matrixV().transpose();
 }
 
-// Over μ, by Gauss's rule with two places an axis, which is exact for what is integrated here.
+// The mean over the cell divided by μ, by Gauss's rule with two points per axis, which is exact for
+// this integrand.
 double energyOfCell(const Corners& x) {
   std::array<Matrix3, 8> gradients;
   Matrix3 mean = Matrix3::Zero();
@@ -72,7 +73,7 @@ NodeState nodesOf(SoftBodyMotion& body) {
        gpu::readAs<shared::SoftMotion>(*gpu::sharedDevice().device, body.state().motions)) {
     nodes.shift.push_back(toArray(m.shiftX, m.shiftY, m.shiftZ));
     nodes.step.push_back(toArray(m.aheadX, m.aheadY, m.aheadZ));
-    // It goes ahead with what the damping leaves of its velocity.
+    // The node continues at its velocity, reduced by the damping.
     for (unsigned axis = 0; axis < 3; ++axis)
       nodes.step.back()[axis] =
           (nodes.step.back()[axis] - nodes.shift.back()[axis]) / body.dynamics().damping;

@@ -1,4 +1,4 @@
-// The cage of a body, and how it carries on what its nodes do.
+// The cage of a body, and how it carries the motion of its nodes to the body.
 
 #include "soft_body/cage.h"
 
@@ -37,7 +37,7 @@ TEST(CageTest, ABallIsSolidAndItsCornersOfTheBoxAreEmpty) {
   const soft_body::Voxels voxels =
       soft_body::makeVoxels(sphere({0, 0, 0}, 5).positionsMm, sphere({0, 0, 0}, 5).triangles, 10);
   const auto filled = std::count(voxels.filled.begin(), voxels.filled.end(), true);
-  // Its volume is 524 cells, and its surface meets cubes at most √3 cells beyond and within it.
+  // Its volume is 524 cells. Its surface meets cubes at most √3 cells outside or inside it.
   EXPECT_GT(filled, 524);
   EXPECT_LT(filled, 4.0 / 3 * 3.1416 * std::pow(5 + std::sqrt(3.0) / 2, 3));
   EXPECT_TRUE(voxels.filled[voxels.index(5, 5, 5)]);
@@ -78,7 +78,7 @@ TEST(CageTest, TheLowestPartIsHeld) {
   }
 }
 
-// What is linear at the nodes goes on as it is.
+// A linear field at the nodes stays linear.
 TEST(SpreadTest, CarriesOnAffineMaps) {
   const soft_body::Cage cage = cageOf(sphere({0, 0, 0}, 5), 10);
   const soft_body::Spread spread = soft_body::makeSpread(cage);

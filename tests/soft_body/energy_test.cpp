@@ -1,4 +1,4 @@
-// Energy, by formulas of continuum mechanics and not by the shader's, after a hard pull.
+// Energy after a hard pull, by the formulas of continuum mechanics instead of the shader's.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ using namespace test;
 
 class SoftBodyEnergyTest : public gpu::GpuTest, public testing::WithParamInterface<double> {};
 
-// Pulled by several tenths of the diagonal, sideways and up, then let go; with next to no damping
-// besides, so that nothing hides an increase.
+// Pulled sideways and up by several tenths of the diagonal, then released. There is almost no
+// damping that could hide an increase.
 TEST_P(SoftBodyEnergyTest, NeverGrowsAfterRelease) {
   const double callsPerSecond = GetParam();
   const Scene scene = builtInBear();
@@ -27,7 +27,7 @@ TEST_P(SoftBodyEnergyTest, NeverGrowsAfterRelease) {
   body.pull({22, 55, 10});
   for (int i = 0; i < 20; ++i) body.step(0.1);
   body.release();
-  body.step(body.dynamics().substepSeconds * 1.5);  // the hold's work is done
+  body.step(body.dynamics().substepSeconds * 1.5);  // the hold no longer does work
   double energy = energyOf(body);
   const double first = energy;
   EXPECT_GT(first, 0);

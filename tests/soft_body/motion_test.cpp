@@ -34,7 +34,7 @@ class SoftBodyTest : public gpu::GpuTest {
   static SoftBodyMotion make(const Mesh& mesh, const SoftBodyOptions& options = {}) {
     return {device(), mesh.positionsMm, mesh.triangles, options};
   }
-  /// Seconds of calls at a rate.
+  /// Calls step() for some seconds at a rate.
   static void run(SoftBodyMotion& body, double callsPerSecond, double seconds) {
     const int calls = static_cast<int>(std::lround(callsPerSecond * seconds));
     for (int i = 0; i < calls; ++i) body.step(1 / callsPerSecond);
@@ -49,7 +49,7 @@ TEST_F(SoftBodyTest, StandsStillUntilItIsTouched) {
   EXPECT_EQ(farthest(positionsOf(body), bearAtRest()), 0);
 }
 
-// At the turn of a swing all stands still for a moment.
+// At the turning point of a swing everything stands still for a moment.
 TEST_F(SoftBodyTest, MovesUntilTheSwingIsOver) {
   for (const bool holds : {false, true}) {
     const Mesh mesh = bar(3, 12);
@@ -77,7 +77,7 @@ TEST_F(SoftBodyTest, MovesUntilTheSwingIsOver) {
 
 class SoftBodyAtRate : public SoftBodyTest, public testing::WithParamInterface<double> {};
 
-// Hard: towards a place 0.6 diagonals away, four directions in turn.
+// Hard pulls towards a place 0.6 diagonals away, in four directions in turn.
 TEST_P(SoftBodyAtRate, PulledHardItKeepsItsVolumeAndComesBack) {
   SoftBodyMotion body = make(bear());
   const Field rest = bearAtRest();
@@ -105,7 +105,7 @@ TEST_P(SoftBodyAtRate, PulledHardItKeepsItsVolumeAndComesBack) {
   EXPECT_EQ(farthest(positionsOf(body), rest), 0);
 }
 
-// A quarter of the height away, the held place follows all but a little.
+// Pulled a quarter of the height away, the held place follows almost completely.
 TEST_P(SoftBodyAtRate, FollowsWhereItIsPulled) {
   SoftBodyMotion body = make(bear());
   std::size_t top = 0;
@@ -133,13 +133,13 @@ TEST_F(SoftBodyTest, TheSameMotionAtAnyRate) {
     run(body, rate, 0.3);
     ends.push_back(positionsOf(body));
   }
-  // A substep more or less, of which the body has made 300.
+  // One substep more or less of the 300 that the body has made.
   EXPECT_GT(farthest(ends[0], bearAtRest()), 0.02 * bearDiagonalMm);
   EXPECT_LT(farthest(ends[0], ends[1]), 0.005 * bearDiagonalMm);
   EXPECT_LT(farthest(ends[0], ends[2]), 0.005 * bearDiagonalMm);
 }
 
-// In whole substeps there is no difference at all, however they are handed over.
+// Whole substeps give equal results, however they are divided into calls.
 TEST_F(SoftBodyTest, TheSameBitsForTheSameSubsteps) {
   std::vector<Field> ends;
   for (const int together : {1, 7, 70}) {

@@ -1,4 +1,4 @@
-// A soft body in a renderer: what pictures show of it.
+// A soft body in a renderer: its effect on pictures.
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST_F(SoftBodyInRendererTest, FramesShowItUntilItIsGone) {
   EXPECT_EQ(places(), rest);
 }
 
-// Steps go before frames that are under way, and what is under way sees none of the next step.
+// Steps are submitted before later frames, and frames under way do not see the next step.
 TEST_F(SoftBodyInRendererTest, FramesUnderWayStayAsTheyWere) {
   const auto film = [&](bool together) {
     SoftBody body = make();
@@ -79,7 +79,7 @@ TEST_F(SoftBodyInRendererTest, FramesUnderWayStayAsTheyWere) {
   EXPECT_EQ(film(true), film(false));
 }
 
-// Light that a frame found serves the next while the body stands still, and never when it moves.
+// A frame's light is reused while the body stands still, and never while it moves.
 TEST_F(SoftBodyInRendererTest, LightIsFoundAnewWhileItMoves) {
   View view(renderer(), smallOptions());
   const auto frame = [&](bool reuse) {

@@ -1,4 +1,4 @@
-// Against closed forms of the theory of elasticity.
+// Soft bodies against closed forms of the theory of elasticity.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ double youngOverMu(double lambda) {
   return (3 * lambda + 2) / (lambda + 1);
 }
 
-// Mean of a component of the nodes at a height.
+// Mean of one component over the nodes at a height.
 double meanAt(const soft_body::Cage& cage, const Field& field, std::uint32_t height,
               unsigned axis) {
   double sum = 0;
@@ -36,8 +36,8 @@ double meanAt(const soft_body::Cage& cage, const Field& field, std::uint32_t hei
   return sum / count;
 }
 
-// What pulls up at the nodes above a height in all: the hold, less the pull to rest. In masses of a
-// cell · cells / substep².
+// The total force that pulls the nodes above a height upwards: the hold, less the pull to rest. In
+// masses of a cell · cells / substep².
 double tensionAbove(SoftBodyMotion& body, const Field& shift, double reachCells, double goal,
                     double height) {
   const std::vector<double> masses = massesOf(body.cage());
@@ -74,7 +74,8 @@ TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
   const double tension = tensionAbove(body, shift, reach, goalMm / cage.cellMm, 6.5);
   constexpr double area = 9;
   const double young = tension / (area * strain) / body.dynamics().waveNumber;
-  // The volume of cells at the surface is softer, at an edge by two thirds: between the two.
+  // Cells at the surface resist volume changes less, at an edge by two thirds, so the result lies
+  // between both.
   EXPECT_LT(young, 1.01 * youngOverMu(soft_body::lambdaOverMu));
   EXPECT_GT(young, 0.99 * youngOverMu(soft_body::lambdaOverMu / 3));
 }

@@ -164,8 +164,7 @@ TEST(Surfels, KeepTheBudgetWhereEveryObjectsLastSurfelIsNotFull) {
   }
 }
 
-// As to nine hundred million times finer than what fits: it ends, and soon.
-// As many pieces as triangles, and no more than a surfel of each object filled up.
+// As many pieces as triangles, and at most one partly filled surfel per object.
 TEST(Surfels, OfAsManyObjectsAsTheBudgetTakeNoMoreThanTheyNeed) {
   Body body{.name = "grains", .objects = 1000};
   for (std::uint32_t object = 0; object < body.objects; ++object) {
@@ -184,6 +183,7 @@ TEST(Surfels, OfAsManyObjectsAsTheBudgetTakeNoMoreThanTheyNeed) {
   expectPartition(body, made);
 }
 
+// Up to nine hundred million times finer than what fits: the division must end soon.
 TEST(Surfels, EndHoweverFineTheyWereToBe) {
   for (Body body : allBodies()) {
     for (const float scale : {1e-6F, 1.0F, 1e6F}) {

@@ -1,4 +1,4 @@
-// Where a list of rays meets a surface, nearest; or how often each meets it at all.
+// The nearest hit of each ray in a list, or the number of its hits.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_PIECE_CORNERS 0
@@ -26,7 +26,7 @@ layout(push_constant) uniform Push {
   uint firstNode;
   uint endNode;
   uint object;  // or everyObject
-  float apart;  // of hits that are to be counted, mm; 0: the nearest is wanted
+  float apart;  // minimum distance of counted hits, mm; 0: find the nearest hit
 };
 
 uint firstPieceOf(uint object) {
