@@ -31,7 +31,7 @@ using View = std::unique_ptr<OpalineView, ViewDeleter>;
 constexpr int edge = 24;
 constexpr std::size_t floats = std::size_t{4} * edge * edge;
 
-/// An octahedron of 20 mm, in vertices with four floats more than they need.
+/// An octahedron of 20 mm; its vertices have four more floats than needed.
 struct Body {
   static constexpr std::size_t count = 6;
   std::array<std::array<float, 7>, count> vertices{};
@@ -110,7 +110,7 @@ struct Drawn {
   }
 };
 
-/// The scene of sceneOf() in C++.
+/// The same scene as sceneOf(), in C++.
 inline opaline::Scene sameScene(const Body& body) {
   opaline::Scene scene;
   std::vector<opaline::Vec3> positions;

@@ -169,7 +169,7 @@ TEST(CInterface, ReadsStructsOfTheirOwnSizeFromAnArray) {
 }
 
 TEST(CInterface, ComparesLikeTheFormula) {
-  // Two pixels are covered by both: errors of 1 and 0 in every channel against 1 and 3.
+  // Both cover two pixels, with errors of 1 and 0 in every channel against 1 and 3.
   const std::vector<float> a{2, 2, 2, 1, 3, 3, 3, 1, 9, 9, 9, 0};
   const std::vector<float> b{1, 1, 1, 1, 3, 3, 3, 1, 0, 0, 0, 1};
   OpalineDifference difference{};

@@ -1,5 +1,5 @@
-"""The structs and enumerations of the C interface keep the layout that layouts.txt records for OPALINE_C_ABI. Where one
-has to change, OPALINE_C_ABI grows, and `python3 layouts_test.py --record` records the new one."""
+"""The structs and enumerations of the C interface keep the layout that layouts.txt records for OPALINE_C_ABI. A change
+requires a larger OPALINE_C_ABI, and `python3 layouts_test.py --record` records the new layout."""
 
 import os
 import pathlib
@@ -21,7 +21,7 @@ def uncommented():
 
 
 def layouts():
-    """The lines of the record, as the compiler has them today."""
+    """The lines of the record for the current compiler and headers."""
     text = uncommented()
     prints = ['std::printf("abi %d\\n", OPALINE_C_ABI);']
     for name, members in re.findall(r"typedef struct (\w+) \{(.*?)\} \w+;", text, re.DOTALL):

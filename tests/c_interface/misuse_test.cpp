@@ -1,5 +1,5 @@
-// Calls that make no sense end in a status with one sentence: nothing is read that is not there,
-// and what was there still works.
+// Invalid calls return a status with one sentence. Nothing invalid is read, and existing objects
+// still work.
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ namespace opaline_c_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::array<float, 4> someVector{1, 2, 3, 1};  // or a pixel
+constexpr std::array<float, 4> someVector{1, 2, 3, 1};  // also used as a pixel
 constexpr std::array<float, 3> brokenVector{nan, 0, 0};
-// What 32 bits take for negative, and what no memory holds.
+// A count that is negative in 32 bits, and one that no memory holds.
 constexpr std::array<std::size_t, 2> absurdCounts{std::size_t{1} << 31, SIZE_MAX};
 
 struct Misuse {
@@ -249,12 +249,12 @@ TEST(CMisuse, CallsInTheWrongOrderAreRefused) {
       {"another variable", [&] { return opalineCollect(view, &other, 1, nullptr); }},
       {"still none", [&] { return opalineCollect(view, &narrow, 1, nullptr); }},
   });
-  // The frame has waited for a target that it fits.
+  // The frame has waited for a fitting target.
   ASSERT_EQ(opalineCollect(view, &target, 1, nullptr), OpalineOk) << opalineLastError();
   EXPECT_EQ(rgba, expected);
   expectRefused({{"collect again", [&] { return opalineCollect(view, &target, 1, nullptr); }}});
 
-  // A report belongs to the scene and the frames it was made of.
+  // A report belongs to its scene and frames.
   OpalinePassTime pass{};
   pass.size = sizeof pass;
   ASSERT_EQ(opalineViewPass(view, 0, &pass), OpalineOk);
@@ -291,7 +291,7 @@ TEST(CMisuse, HandlesThatWereDestroyedAreRefused) {
   opalineDestroyScene(reinterpret_cast<OpalineScene*>(view));
   drawn.picture();
 
-  // With a renderer go its views and soft bodies, whatever is done with them afterwards.
+  // Views and soft bodies are destroyed with their renderer, whatever is done with them afterwards.
   OpalineSoftBody* softBody = nullptr;
   ASSERT_EQ(opalineCreateSoftBody(drawn.renderer.get(), scene.get(), 0, nullptr, &softBody),
             OpalineOk)
@@ -306,7 +306,7 @@ TEST(CMisuse, HandlesThatWereDestroyedAreRefused) {
       {"soft body", [&] { return opalineStepSoftBody(softBody, 0.01); }},
   });
   opalineDestroySoftBody(softBody);
-  opalineDestroyView(second);  // and drawn.view once more
+  opalineDestroyView(second);  // and drawn.view again
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(CInterfaceMotion, DeformersMoveVerticesAsTheirFormulaSays) {
   EXPECT_EQ(drawn.picture(OpalineAovDepth), atRest);
 }
 
-// Octahedra that grow from one file to the next.
+// Octahedra that grow from file to file.
 void writeMeshes(const std::filesystem::path& folder, int first, int last) {
   const Body body;
   for (int number = first; number <= last; ++number) {

@@ -20,7 +20,7 @@ T sized() {
   return made;
 }
 
-// The paper's pattern, another map, and a variable of the map, which has a size of its own.
+// The paper's pattern, another map, and a variable of the map, whose size is its own.
 TEST(CPattern, DrawsWhatTheCppInterfaceDraws) {
   const Body body;
   const Drawn drawn(sceneOf(body));
@@ -74,7 +74,7 @@ TEST(CPattern, LevelsOfTheTreeAreChosen) {
   EXPECT_GT(nodesAt(64), 1);
 }
 
-// What a program knows that was compiled when the struct was 72 bytes long.
+// Options of a program that was compiled when the struct had 72 bytes.
 TEST(CPattern, OptionsOfBeforeStillFit) {
   const Body body;
   const Drawn drawn(sceneOf(body));

@@ -10,7 +10,7 @@
 namespace opaline::compare {
 namespace {
 
-/// Red values from left to right in one row; green is twice, blue four times as much.
+/// One row of red values from left to right; green is twice, blue four times as large.
 Image row(const std::vector<float>& reds) {
   Image image(static_cast<int>(reds.size()), 1);
   for (std::size_t i = 0; i < reds.size(); ++i) {
@@ -59,10 +59,9 @@ TEST(Figures, EqualImagesDifferByNothing) {
   EXPECT_TRUE(std::isinf(figures.all.psnrDb));
 }
 
-// Red: errors 1, 0, 0, 3 over B = 1, 2, 3, 2: RMSE = √(10/4), mean of B = 2. The ranks are 0, 0, 1,
-// 3, and the 95th percentile lies at rank 0.95·3 = 2.85, thus 1 + 0.85·2. Green and blue are the
-// same but for a factor, so relative figures stay, and so does PSNR with a peak that is scaled as
-// well.
+// Red has errors 1, 0, 0, 3 with B = 1, 2, 3, 2: RMSE = √(10/4), mean of B = 2. The sorted errors
+// are 0, 0, 1, 3, and the 95th percentile is at rank 0.95·3 = 2.85, thus 1 + 0.85·2. Green and blue
+// only differ by a factor, so relative figures are equal, as is PSNR with a scaled peak.
 TEST(Figures, KnownDifferences) {
   const Image b = row({1, 2, 3, 2});
   const Image a = row({2, 2, 3, 5});
@@ -143,9 +142,9 @@ TEST(Figures, AMaskIsWhereItsLargestChannelIsAboveOneHalf) {
   EXPECT_EQ(maskedPixels(mask), (Selection{0, 1, 1, 0}));
 }
 
-// 4×4 pixels in blocks of 2×2; B is 1 where covered. In the upper left block A errs by +4 and -4,
-// which cancel; in the upper right one by 2 in one pixel of four; the lower left has only one
-// covered pixel, which errs by 1; the lower right has none. Block errors are 0, 2/4, 1/4, none.
+// 4×4 pixels in blocks of 2×2; B is 1 where covered. In the upper left block the errors +4 and -4
+// cancel. In the upper right one of four pixels is off by 2. The lower left has a single covered
+// pixel, which is off by 1. The lower right has none. Block errors are 0, 2/4, 1/4, none.
 TEST(Blocks, AverageWhatCancels) {
   Image b = filled(4, 4, 1);
   Image a = filled(4, 4, 1);
@@ -188,7 +187,7 @@ TEST(Blocks, OfOnePixelGiveTheFiguresOfPixels) {
 TEST(Blocks, ReachBeyondTheBorderWithTheirWholeArea) {
   const Image b = filled(3, 1, 1);
   const Image a = filled(3, 1, 2);
-  // Blocks of 2×2 hold 2 and 1 pixels that err by 1: 2/4 and 1/4.
+  // Blocks of 2×2 have 2 pixels and 1 pixel that are off by 1: 2/4 and 1/4.
   const BlockFigures figures = blockFiguresOver(a, b, commonPixels(a, b), 2).value();
   EXPECT_EQ(figures.blocks, 2U);
   EXPECT_NEAR(figures.relRmse, std::sqrt((0.25 + 0.0625) / 2), 1e-12);

@@ -69,10 +69,11 @@ TEST(Flip, IsSymmetric) {
   EXPECT_EQ(flipMap(patternA(), patternB()).values, flipMap(patternB(), patternA()).values);
 }
 
-// Without variation in space only the color term is left, and that follows by hand. White is L* 100
-// and black 0, so their HyAB distance is 100, to the power 0.7 25.119. The largest distance is that
-// between green, Hunt-adjusted L*a*b* (87.735, -75.61, 72.98), and blue (32.297, 25.57, -34.83):
-// (55.44 + √(101.18² + 107.81²))^0.7 = 203.29^0.7 = 41.277, of which 0.4 are 16.511.
+// Without variation in space only the color term remains, which can be computed by hand. L* is 100
+// for white and 0 for black, so their HyAB distance is 100, which to the power 0.7 is 25.119. The
+// largest distance is between green, Hunt-adjusted L*a*b* (87.735, -75.61, 72.98), and blue
+// (32.297, 25.57, -34.83): (55.44 + √(101.18² + 107.81²))^0.7 = 203.29^0.7 = 41.277, 0.4 of which
+// is 16.511.
 TEST(Flip, PlainColorsByHand) {
   EXPECT_NEAR(plainFlip({0, 0, 0}, {255, 255, 255}), 0.95 + 0.05 * (25.1189 - 16.511) / 24.766,
               1e-4);
@@ -97,8 +98,8 @@ TEST(Flip, GrowsWithTheDifferenceOfLightnessAndHue) {
   EXPECT_LE(last, 1);
 }
 
-// The expected values are those of a program of its own that filters with two-dimensional kernels,
-// as the paper writes them, in double precision.
+// The expected values are from a separate program, which filters with two-dimensional kernels in
+// double precision, as the paper does.
 TEST(Flip, PatternsAgreeWithTwoDimensionalKernels) {
   const Plane usual = flipMap(patternA(), patternB());
   EXPECT_NEAR(mean(usual), 0.364048416, 2e-5);
@@ -119,7 +120,7 @@ TEST(Flip, ALineOnBlackIsAnEdgeAsWell) {
   EXPECT_NEAR(mean(map), 0.220100729, 2e-5);
   EXPECT_NEAR(map.values[9 * 24 + 12], 0.975738400, 2e-5);
   EXPECT_NEAR(map.values[9 * 24 + 9], 0.357563713, 2e-5);
-  // As nothing varies from row to row, no row differs from another.
+  // Nothing varies between rows, so all rows are equal.
   for (int y = 0; y < 18; ++y) {
     EXPECT_EQ(map.values[static_cast<std::size_t>(y) * 24 + 12], map.values[12]);
   }

@@ -102,7 +102,7 @@ void expectPattern(const Image& image, std::array<float, 3> offsets, bool alpha)
     for (int x = 0; x < image.width; ++x) {
       const auto base = static_cast<float>(10 * y + x);
       for (std::size_t c = 0; c < 3; ++c) {
-        // Halves between 1024 and 2048 are whole numbers, above even ones.
+        // Halves between 1024 and 2048 are whole numbers, larger ones are even.
         ASSERT_NEAR(image.pixel(x, y)[c], base + offsets[c], 1.0F) << x << ' ' << y << ' ' << c;
       }
       ASSERT_NEAR(image.pixel(x, y)[3], alpha ? base + 3000 : 1.0F, 1.0F);
@@ -226,7 +226,7 @@ TEST(Exr, EveryTruncationIsAnError) {
   }
 }
 
-// Any outcome but a crash, a hang or another exception is right for a byte that has changed.
+// A changed byte may have any effect except a crash, a hang or another exception.
 TEST(Exr, ChangedBytesAreReadOrRefused) {
   const TemporaryFolder folder;
   for (const bool tiled : {false, true}) {

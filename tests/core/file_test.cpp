@@ -85,7 +85,7 @@ TEST(WriteWhole, TakesTheNextFreeName) {
 TEST(WriteWhole, RefusesWhatMustStay) {
   const TemporaryFolder folder;
   const Target target(folder / "a.txt", Existing::Refuse);
-  WholeFile late(target);  // before anything is there
+  WholeFile late(target);  // begun before any file exists
   writeBytes(late.temporary(), "late");
   writeWhole(target, "first");
   EXPECT_THAT(messageOf([&] { WholeFile again(target); }), HasSubstr("there already"));
@@ -94,7 +94,7 @@ TEST(WriteWhole, RefusesWhatMustStay) {
   EXPECT_EQ(readBytes(folder / "a.txt"), "first");
 }
 
-// Two programs that write at once, as threads.
+// Two threads imitate programs that write at once.
 TEST(WriteWhole, NobodyReplacesWhatAnotherWroteAtTheSameTime) {
   const TemporaryFolder folder;
   constexpr int writers = 8;
@@ -115,7 +115,7 @@ TEST(WriteWhole, NobodyReplacesWhatAnotherWroteAtTheSameTime) {
   EXPECT_EQ(contents.size(), std::size_t{writers * files});
 }
 
-// A lock that another process holds looks like one that this process holds by another descriptor.
+// The process's own locks by another descriptor look like those of another process.
 TEST(WriteWhole, ClearsWhatKilledProgramsLeftAndNothingElse) {
   const TemporaryFolder folder;
   for (const char* name : {".opaline-1-0.png", ".opaline-23-456", ".opaline-1-2.mp4", ".opaline-x",
@@ -245,7 +245,7 @@ TEST(WriteWhole, RefusesANameThatIsTooLong) {
   EXPECT_EQ(folder.fileCount(), 0U);
 }
 
-/// A disk that is full, near enough: no file may grow past a limit.
+/// Imitates a full disk: no file may grow past a limit.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : oldHandler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -272,7 +272,7 @@ TEST(FullDisk, IsAnErrorAndLeavesNothing) {
   for (float& value : image.rgba) value = static_cast<float>(random());
   Image8 pixels{64, 64, std::vector<std::uint8_t>(std::size_t{64} * 64 * 4)};
   for (std::uint8_t& value : pixels.rgba) value = static_cast<std::uint8_t>(random());
-  // The last byte as well as the first may be the one that does not fit.
+  // The last byte may be the one that does not fit, as well as the first.
   writeExr(folder / "a.exr", image);
   const rlim_t exrBytes = fs::file_size(folder / "a.exr");
   fs::remove(folder / "a.exr");

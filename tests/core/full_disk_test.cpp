@@ -1,4 +1,5 @@
-// A disk that is full after any number of bytes: the file that was there stays, and nothing else.
+// A disk that fills up after any number of bytes: the existing file stays, and nothing else is
+// left.
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -18,7 +19,7 @@ using test::readBytes;
 using test::TemporaryFolder;
 using test::writeBytes;
 
-/// Files of this process end after so many bytes, as those on a full disk do.
+/// Limits this process's files to so many bytes, as on a full disk.
 class FullDisk {
  public:
   explicit FullDisk(std::size_t bytes) {
@@ -37,7 +38,7 @@ class FullDisk {
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-/// What writing says where there is room for so many bytes; empty where it succeeds.
+/// The message of writing with room for so many bytes; empty on success.
 std::string said(const Write& write, const std::filesystem::path& file, std::size_t bytes) {
   const FullDisk full(bytes);
   try {

@@ -24,7 +24,7 @@ std::string bigEndian(std::uint32_t value) {
 
 const std::string fourZeros(4, '\0');
 
-/// A chunk whose check sum is 0, as the reader does not look at it.
+/// A chunk with a check sum of 0, which the reader ignores.
 std::string chunk(const std::string& kind, const std::string& data) {
   return bigEndian(static_cast<std::uint32_t>(data.size())) + kind + data + fourZeros;
 }

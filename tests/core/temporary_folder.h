@@ -41,7 +41,7 @@ class TemporaryFolder {
 };
 
 inline void writeBytes(const std::filesystem::path& file, std::string_view bytes) {
-  // Some file systems wait for the disk when a file is cut to nothing and written anew.
+  // Some file systems wait for the disk when a file is truncated and rewritten.
   std::filesystem::remove(file);
   std::ofstream stream(file, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -55,7 +55,7 @@ inline std::string readBytes(const std::filesystem::path& file) {
   return bytes.str();
 }
 
-/// The message of the Error that `action` throws; a failure of the test when it throws none.
+/// The message of the Error that `action` throws; fails the test when it throws none.
 template <typename Action>
 std::string messageOf(Action&& action) {
   try {

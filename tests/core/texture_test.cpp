@@ -48,7 +48,7 @@ TEST(Texture, WebpIsReadAsItIsStored) {
   EXPECT_EQ(texture.rgba, expected);
 }
 
-// The head of a lossless picture (RFC 9649, section 3.4), with some bytes behind it.
+// The header of a lossless picture (RFC 9649, section 3.4), followed by some bytes.
 Bytes webpHead(unsigned width, unsigned height) {
   const std::uint32_t size = (width - 1) | (height - 1) << 14U;
   const std::string text = std::string("RIFF\x2c\0\0\0WEBPVP8L\x20\0\0\0\x2f", 21) +
@@ -58,7 +58,7 @@ Bytes webpHead(unsigned width, unsigned height) {
   return {begin, begin + text.size()};
 }
 
-// Even colours take no bits a pixel, so that a small file may hold any number.
+// Uniform colours take no bits per pixel, so a small file may have any number of pixels.
 TEST(Texture, WebpThatIsDamagedOrTooLargeIsRefused) {
   const Bytes whole = webp(16, 16, std::vector<std::uint8_t>(1024, 77));
   for (std::size_t size = 1; size < whole.size(); ++size)
@@ -102,14 +102,14 @@ TEST(Texture, WhatIsNoWholePictureIsAnError) {
             "");
 }
 
-// Its first table of Huffman codes begins behind the segment's length and the table's number.
+// The first Huffman table begins after the segment's length and the table's number.
 TEST(Texture, TablesOfHuffmanCodesThatCannotBeAreAnError) {
   Bytes bytes;
   stbi_write_jpg_to_func(append, &bytes, 16, 16, 3, std::vector<std::uint8_t>(768, 200).data(), 95);
   const std::array<std::byte, 2> marker{std::byte{0xFF}, std::byte{0xC4}};
   const auto table = std::search(bytes.begin(), bytes.end(), marker.begin(), marker.end());
   ASSERT_NE(table, bytes.end());
-  // One that a scan names but nothing defines.
+  // A table that a scan names but nothing defines.
   *(table + 4) = std::byte{3};
   EXPECT_THAT(test::messageOf([&] { core::readTexture("a.jpg", bytes); }),
               testing::HasSubstr("Huffman"));

@@ -34,7 +34,7 @@ TEST(EncodeSrgb, InvertsTheStandardsDecoding) {
   EXPECT_FLOAT_EQ(encodeSrgb(1.0F), 1.0F);
 }
 
-// Nor are they written.
+// Incomplete images are not written either.
 TEST(ToneMap, ImagesThatAreNotWholeAreRefused) {
   Image image(2, 2);
   image.rgba.pop_back();
@@ -65,8 +65,8 @@ TEST(ToneMap, ExposureIsInStops) {
   EXPECT_THROW(toneMap(onePixel(1, 1, 1, 1), options), UsageError);
 }
 
-// The specification promises that base colours up to 0.8 under neutral light come out as they
-// are, less the 0.04 of the Fresnel reflection that it takes away again.
+// The specification promises that base colours up to 0.8 under neutral light come out unchanged,
+// less the 0.04 of Fresnel reflection that it subtracts.
 TEST(ToneMap, NeutralKeepsColoursBelowItsShoulder) {
   for (const std::array<float, 3> color : {std::array{0.5F, 0.3F, 0.2F}, {0.75F, 0.1F, 0.5F}}) {
     const Image8 image = toneMap(onePixel(color[0] + 0.04F, color[1] + 0.04F, color[2] + 0.04F, 1));
@@ -76,8 +76,8 @@ TEST(ToneMap, NeutralKeepsColoursBelowItsShoulder) {
   }
 }
 
-// Written out by hand from the published function for (2, 1, 0.5): offset .04, peak 1.96,
-// new peak 1 - .0576/1.44 = .96, scale .96/1.96, g = 1 - 1/(.15·1 + 1).
+// Computed by hand from the published function for (2, 1, 0.5): offset .04, peak 1.96, new peak 1 -
+// .0576/1.44 = .96, scale .96/1.96, g = 1 - 1/(.15·1 + 1).
 TEST(ToneMap, NeutralCompressesHighlights) {
   const double g = 1.0 - 1.0 / 1.15;
   const Image8 image = toneMap(onePixel(2.0F, 1.0F, 0.5F, 1));

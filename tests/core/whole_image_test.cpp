@@ -14,7 +14,7 @@ using test::TemporaryFolder;
 using test::writeBytes;
 
 constexpr int width = 37;
-constexpr int height = 41;  // EXR keeps 16 lines in a block: three of them
+constexpr int height = 41;  // EXR has 16 lines per block, so there are three blocks
 
 class WholeImage : public testing::TestWithParam<const char*> {
  protected:

@@ -44,8 +44,8 @@ TEST(DeformedVertices, AnObjectWithoutJointsFollowsItsNode) {
   expectVector(mesh.normals[0], {0, -1, 0}, 1e-6);       // and z to −y
 }
 
-/// Two joints: one stands, the other has turned by a quarter about z around (0, 1, 0). Half of
-/// both takes p to the middle of the two places, p being (0, 2, 0): (0, 2, 0) and (−1, 1, 0).
+/// Two joints: one is fixed, the other has turned by a quarter about z around (0, 1, 0). Half of
+/// each moves (0, 2, 0) to the middle between (0, 2, 0) and (−1, 1, 0).
 TEST(DeformedVertices, TwoJointsBlend) {
   Scene scene = riggedTriangle();
   scene.nodes.push_back({"still"});
@@ -103,7 +103,7 @@ TEST(DeformedVertices, NormalsFollowUnevenScale) {
   scene.objects[0].rig->normals.assign(3, {0, root, root});
   const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   expectVector(mesh.normals[0], {0, 2 / std::sqrt(5.0), 1 / std::sqrt(5.0)});
-  // Mirrored they still point out.
+  // Mirrored, they still point outwards.
   scene.nodes[0].scale = {-1, 1, 2};
   expectVector(deformedVertices(scene, 0, -1, 0).normals[0],
                {0, 2 / std::sqrt(5.0), 1 / std::sqrt(5.0)});
@@ -137,8 +137,8 @@ TEST(DeformedVertices, FacetsKeepTheirTrianglesNormal) {
   }
 }
 
-// Two triangles of a roof, halved along its slope by a seam of texture coordinates: the vertices on
-// the seam are there twice, and stay one smooth surface when the roof is bent along it.
+// Two triangles of a roof, halved along its slope by a seam of texture coordinates. The seam's
+// vertices exist twice, but stay one smooth surface when the roof is bent along it.
 TEST(DeformedVertices, VerticesOnASeamShareTheirNormal) {
   Scene scene;
   Object object;
@@ -148,7 +148,7 @@ TEST(DeformedVertices, VerticesOnASeamShareTheirNormal) {
   Rig rig;
   rig.positions = object.mesh.positionsMm;
   rig.normals = object.mesh.normals;
-  // Both sides down by 1: their normals lean apart by the same angle, their mean is up.
+  // Both sides go down by 1: their normals lean apart by equal angles, and their mean points up.
   rig.targets = {{{{0, 0, 0}, {0, 0, -1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, -1}}, {}}};
   object.rig = rig;
   Node node;

@@ -24,7 +24,7 @@ Double3 place(const Deformer& deformer, double seconds, const Double3& p) {
   return deformed(deformer, box, seconds, {p, {0, 1, 0}}).position;
 }
 
-/// Of the map, by central differences.
+/// The Jacobian of the map, by central differences.
 std::array<Double3, 3> jacobian(const Deformer& deformer, double seconds, const Double3& p) {
   std::array<Double3, 3> columns{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -42,7 +42,7 @@ const std::vector<Deformer> some{
     {DeformerKind::Bend, 0, 0},       {DeformerKind::Squash, 0.6F, 0},
     {DeformerKind::Squash, -1.5F, 0}, {DeformerKind::Squash, 0.5F, 1},
     {DeformerKind::Wobble, 0.2F, 0},  {DeformerKind::Wobble, 0.1F, 1.7F}};
-/// Off the two heights where the wobble's swing has no second derivative.
+/// Points off the two heights where the wobble's swing has no second derivative.
 const std::vector<Double3> points{{1, 5.1, -2}, {3, 14.9, -1}, {-1, 7, -3}, {2.5, 9.75, -1.25}};
 
 TEST(Deformer, AmountsSwing) {
@@ -76,7 +76,7 @@ TEST(Deformer, ABendMakesTheAxisAnArcOfItsAngle) {
                             place(bend, 0, {1, 5.0 + 0.01 * i, -2}));
   }
   EXPECT_NEAR(length, 10, 1e-5);
-  // What lies at the arc's centre comes to one point whatever its height.
+  // Points at the arc's centre coincide, whatever their height.
   expectVector(place(bend, 0, {1 + radius, 12, -2}), {1 + radius, 5, -2});
 }
 
@@ -134,7 +134,7 @@ TEST(Deformer, NormalsAreThoseOfMovedSurfaces) {
     for (const Double3& p : points) {
       for (const Double3& normal :
            {Double3{1, 0, 0}, Double3{0, 1, 0}, Double3{0, 0, -1}, Double3{0.48, -0.6, 0.64}}) {
-        // Two steps along the surface and where the map takes them.
+        // Two steps along the surface, and their images.
         const Double3 other = std::abs(normal[0]) > 0.9 ? Double3{0, 1, 0} : Double3{1, 0, 0};
         Double3 u = scene::cross(other, normal);
         u = (1 / scene::length(u)) * u;

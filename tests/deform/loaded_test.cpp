@@ -9,7 +9,7 @@
 #include "opaline/error.h"
 #include "scene/gltf/builder.h"
 
-// Files of our own, from the bytes to the posed vertices.
+// Generated files, from their bytes to the posed vertices.
 
 namespace opaline::deform {
 namespace {
@@ -26,9 +26,8 @@ Scene loadBuilt(const GltfBuilder& builder) {
   return loadScene(folder / "a.glb");
 }
 
-/// A tetrahedron with normals; mesh 0 is bare, mesh 1 hangs on the joints of whatever skin its
-/// node names, mesh 2 morphs and hangs on joints. Vertices 0, 1, 2 follow joint 0, vertex 3
-/// joint 1.
+/// A tetrahedron with normals. Mesh 0 is bare, mesh 1 is skinned by its node's skin, mesh 2 has
+/// morph targets and a skin. Vertices 0, 1, 2 follow joint 0, vertex 3 follows joint 1.
 struct Tetrahedra {
   GltfBuilder b;
   int times = 0;
@@ -101,7 +100,7 @@ TEST(LoadedMotion, TwoSkinsOfOneMeshMoveApart) {
     for (std::size_t v = 0; v < 4; ++v) {
       const Double3 from = scene::toDouble(scene.objects[o].rig->positions[v]);
       const bool tip = from[2] == 1;
-      // Joint b lifts the tip by 2 m; the rest stays with a or with c, 10 m away.
+      // Joint b lifts the tip by 2 m. The rest stays with a, or with c, which is 10 m away.
       const Double3 expected = from + (tip ? Double3{0, 2, 0} : Double3{0, 0, o == 0 ? 0.0 : 10.0});
       for (std::size_t axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(mesh.positionsMm[v][axis], 1000 * expected[axis], 1e-3);
@@ -132,7 +131,7 @@ TEST(LoadedMotion, SkinAndMorphOfOneMesh) {
   }
 }
 
-/// Whatever loads can be posed at any time. The seed is fixed.
+/// Whatever loads must be posable at any time. The seed is fixed.
 TEST(LoadedMotion, DamagedFilesThatLoadCanBePosed) {
   Tetrahedra of;
   of.b.nodes = R"({"mesh":2,"skin":0},{"children":[2]},{"name":"b"},{"mesh":0,"scale":[1,2,3]})";
@@ -151,7 +150,7 @@ TEST(LoadedMotion, DamagedFilesThatLoadCanBePosed) {
     std::string bytes = whole;
     for (unsigned change = 0; change <= random() % 3; ++change) {
       const std::size_t at = 20 + random() % (bytes.size() - 20);
-      // A digit for a digit, so that the JSON often stays sound.
+      // Digits replace digits, so that the JSON often stays valid.
       const bool digit = bytes[at] >= '0' && bytes[at] <= '9';
       bytes[at] = static_cast<char>(digit ? '0' + random() % 10 : random() % 256);
     }

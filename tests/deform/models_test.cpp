@@ -20,8 +20,8 @@ constexpr const char* missing =
 
 class AnimatedModels : public testing::TestWithParam<const char*> {};
 
-/// Two ways to the same place: the loader bakes the file's static pose in its own arithmetic, the
-/// rigs start from the file's vertices.
+/// Both must agree: the loader bakes the file's static pose by its own arithmetic, while rigs start
+/// from the file's vertices.
 TEST_P(AnimatedModels, RestPoseIsTheMesh) {
   const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
@@ -63,7 +63,7 @@ struct Posed {
   Double3 highMm;
 };
 
-/// Boxes around posed vertices, from a separate program after the text of glTF 2.0.
+/// Boxes around posed vertices, from a separate program that follows the text of glTF 2.0.
 const std::vector<Posed> posed{
     {"AnimatedMorphCube.glb", 0, 1.26, {-1000, -1000, -1000}, {1000, 999.9999, -672.8865}},
     {"AnimatedMorphCube.glb", 0, 3.234, {-1000, -1000, -1000}, {1000, 999.9998, 954.5464}},

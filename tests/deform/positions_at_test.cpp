@@ -14,7 +14,8 @@ Mesh triangle() {
   return makeMesh({{0, 0, 0}, {2, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
 }
 
-// A node that goes 3 mm to the right in 2 s carries the first object; the second stands still.
+// A node that moves 3 mm to the right in 2 s carries the first object; the second one does not
+// move.
 Scene carried() {
   Scene scene;
   scene.objects.resize(2);
@@ -38,7 +39,7 @@ TEST(PositionsAt, ClipsCarryWhatIsAtTheirNodes) {
   EXPECT_EQ(positionsAt(carried(), {.seconds = 1, .clip = -1})[0], triangle().positionsMm);
 }
 
-// Squash scales the height by 1 - amount about the bottom of the box and keeps the volume.
+// Squash scales the height by 1 - amount about the bottom of the box, and keeps the volume.
 TEST(PositionsAt, DeformersMoveEverythingButAGround) {
   Scene scene = carried();
   scene.objects.push_back(groundUnder(scene));

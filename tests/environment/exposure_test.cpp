@@ -13,7 +13,7 @@ namespace opaline {
 namespace {
 
 constexpr float piF = std::numbers::pi_v<float>;
-constexpr float hundredth = 0.0051F;  // of a stop, as which it is given, and rounding
+constexpr float hundredth = 0.0051F;  // of a stop, to which results are rounded
 
 Scene emptyScene() {
   Scene scene;
@@ -47,7 +47,8 @@ TEST(Exposure, OrdinaryLightIsLeftAsItIs) {
             0);
 }
 
-// White paper under an even sky of radiance L has radiance L; facing a lamp of irradiance E, E/π.
+// White paper under an even sky of radiance L has radiance L; facing a lamp of irradiance E it has
+// E/π.
 TEST(Exposure, WhiteComesToTheNearerEndOfWhatIsOrdinary) {
   EXPECT_FLOAT_EQ(stopsOf({.ambient = grey(10)}), -2);
   EXPECT_FLOAT_EQ(stopsOf({.ambient = grey(0.0625F)}), 2);
@@ -57,7 +58,7 @@ TEST(Exposure, WhiteComesToTheNearerEndOfWhatIsOrdinary) {
   // Two lamps at right angles light a surface between them by the diagonal of both.
   EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * piF)}, {{0, 1, 0}, grey(10 * piF)}}}),
               -2.5F, hundredth);
-  // From opposite sides they do not add up.
+  // Lamps on opposite sides do not add up.
   EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * piF)}, {{-1, 0, 0}, grey(10 * piF)}}}),
               -2, hundredth);
 }
@@ -99,7 +100,7 @@ TEST(Exposure, PointLightsCountAtTheMiddleOfTheBody) {
   };
   // 20 mm away: E = intensity / 400.
   EXPECT_NEAR(stopsAt({30, 0, 0}, 400 * 10 * piF), -2, hundredth);
-  // However near: as at half the diagonal, 5 mm.
+  // Nearer lamps count as at half the diagonal, 5 mm.
   EXPECT_NEAR(stopsAt({11, 0, 0}, 25 * 10 * piF), -2, hundredth);
   EXPECT_NEAR(stopsAt({10, 0, 0}, 25 * 10 * piF), -2, hundredth);
 }
@@ -116,7 +117,7 @@ TEST(Exposure, SpotLightsCountWhereTheyShine) {
   EXPECT_EQ(automaticExposureStops(scene), 0);
 }
 
-// A sphere gives L π r²/d², one that shines away nothing.
+// A sphere gives L π r²/d²; a light that faces away gives nothing.
 TEST(Exposure, AreaLightsCountByTheLightInTheMiddle) {
   Scene scene = emptyScene();
   scene.objects.emplace_back().mesh.positionsMm = {{10, -3, -4}, {10, 3, 4}};

@@ -46,8 +46,8 @@ std::vector<Vec3> someDirections(int count) {
   return directions;
 }
 
-/// A latitude-longitude image whose pixels are `radiance` at their centres, the same in R, twice in
-/// G, thrice in B.
+/// A latitude-longitude image with `radiance` at the pixels' centres: once in R, twice in G, thrice
+/// in B.
 Image imageOf(const std::function<double(const Direction&)>& radiance, int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
@@ -125,7 +125,7 @@ TEST(SkyParts, AreFoundByDirection) {
     EXPECT_NEAR(sky.radianceAt(direction)[0], 2 + direction[1], 0.04);
 }
 
-// An even environment is ambient light of that radiance, however few pixels it has.
+// An even environment equals ambient light of that radiance, however few pixels it has.
 TEST(SkyIrradiance, OfAnEvenSkyIsPiTimesTheMeanTransmittance) {
   Lighting ambient;
   ambient.ambient = {0.5F, 1.0F, 1.5F};
@@ -176,8 +176,8 @@ double hemisphereIrradiance(const std::function<double(const Direction&)>& radia
   return sum * 2 * pi / (azimuthSteps * polarSteps);
 }
 
-// One that varies slowly, and one of a bright window before a dark wall, which spherical harmonics
-// of bands 0 to 2 miss by more than a tenth.
+// A slowly varying environment, and a bright window in a dark wall, which spherical harmonics of
+// bands 0 to 2 miss by more than a tenth.
 TEST(SkyIrradiance, IsTheIntegralOverTheHemisphere) {
   const auto smooth = [](const Direction& d) {
     const auto [x, y, z] = d;

@@ -1,4 +1,4 @@
-// Suns taken out of environments, against closed forms and against the whole environment.
+// Suns extracted from environments, against closed forms and the whole environment.
 
 #include "environment/suns.h"
 
@@ -34,7 +34,7 @@ struct Disc {
   float radiance = 0;
 };
 
-/// A slow gradient with discs of even radiance before it.
+/// A slow gradient with discs of even radiance in front of it.
 std::shared_ptr<const Image> skyWith(const std::vector<Disc>& discs, int width = 720) {
   auto image = std::make_shared<Image>(width, width / 2);
   for (int y = 0; y < image->height; ++y)
@@ -52,7 +52,7 @@ std::shared_ptr<const Image> skyWith(const std::vector<Disc>& discs, int width =
   return image;
 }
 
-/// Of a surface with that normal, red, by summing over the pixels.
+/// Red irradiance of a surface with that normal, summed over the pixels.
 double irradianceOf(const Image& image, const Vec3& normal) {
   double sum = 0;
   for (int y = 0; y < image.height; ++y)
@@ -88,7 +88,7 @@ TEST(Suns, HaveTheLightOfADiscAboveItsSurroundings) {
   EXPECT_NEAR(double{sun.irradiance[2] / sun.irradiance[0]}, 0.5, 1e-4);
 }
 
-// At the seam and at a pole too.
+// Also at the seam and at a pole.
 TEST(Suns, WithTheRestGiveTheEnvironmentsLight) {
   const double radius = pi / 120;
   for (const Vec3& towards : {unit(1, 1, -1), unit(0, 0.2F, 1), unit(0, 1, 0)}) {
@@ -105,7 +105,7 @@ TEST(Suns, WithTheRestGiveTheEnvironmentsLight) {
       const double apart =
           irradianceOf(*suns.rest, normal) +
           double{sun.irradiance[0]} * std::max(dot(sun.directionToLight, normal), 0.0);
-      // A disc on the horizon is half seen, by at most sin r of its light.
+      // Half of a disc on the horizon is visible; the error is at most sin r of its light.
       EXPECT_NEAR(apart, whole, std::sin(radius) * double{sun.irradiance[0]}) << i;
       if (std::abs(dot(sun.directionToLight, normal)) > 2 * radius) {
         EXPECT_NEAR(apart / whole, 1, radius * radius) << i;
@@ -124,7 +124,7 @@ TEST(Suns, AreTheBrightestFour) {
     EXPECT_GT(dot(suns.lights[i].directionToLight, discs[5 - i].towards), 0.999) << i;
 }
 
-// Even light, a bright spot that gives next to nothing, and a large lamp.
+// Not suns: even light, a bright spot with hardly any light, and a large lamp.
 TEST(Suns, AreNothingElse) {
   const std::vector<std::shared_ptr<const Image>> without{
       nullptr, std::make_shared<Image>(), skyWith({}), skyWith({{unit(1, 0, 0), pi / 300, 60}}),
@@ -136,7 +136,7 @@ TEST(Suns, AreNothingElse) {
   }
 }
 
-// Each of many bright pixels alone gives too little, and all are looked at soon.
+// Each of many bright pixels gives too little light, and the search must end soon.
 TEST(Suns, AreNotManySparks) {
   auto sky = std::make_shared<Image>(2048, 1024);
   for (int y = 0; y < sky->height; y += 16)

@@ -1,5 +1,5 @@
-// Every allocation of the host fails, once. A program of its own, because it replaces the
-// allocator. OPALINE_FAULT_STRIDE=1 in the environment leaves out none.
+// Every allocation of the host fails once. A separate program, because it replaces the allocator.
+// OPALINE_FAULT_STRIDE=1 in the environment tests them all.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 
 namespace {
 
-// Of all threads: the library has some.
+// For all threads, as the library has some.
 std::atomic<long> untilFailure = 0;  // 0: none fails
 std::atomic<long> living = 0;
 
@@ -46,7 +46,7 @@ void freed(void* memory) {
 
 }  // namespace
 
-// The forms for arrays call these. Inlined, GCC takes the pair for a mistake.
+// Array forms call these. If they were inlined, GCC would warn of a mismatched pair.
 [[gnu::noinline]] void* operator new(std::size_t bytes) {
   return allocatedOrThrown(bytes, 0);
 }
@@ -76,9 +76,8 @@ int strideOr(int stride) {
   return wanted == nullptr ? stride : std::atoi(wanted);
 }
 
-/// Runs `run` with its first allocation failing, then `after`, and so on with the following ones,
-/// every `stride`-th, up to the first run that has no more. `after` is told how many live after
-/// the run.
+/// Runs `run` with its first allocation failing, then `after`; then with the following ones, every
+/// `stride`-th, until a run has no more. `after` gets the number of allocations left by the run.
 void failEachAllocation(int stride, const std::function<void()>& run,
                         const std::function<void(long left)>& after) {
   int failed = 0;
@@ -160,7 +159,7 @@ TEST(AllocationFaults, OpeningLeavesNothing) {
       101, [] { const Renderer renderer; }, [&](long left) { EXPECT_EQ(left, before); });
 }
 
-// Not glTF: nlohmann::json allocates in its destructor, where nothing can be done about it.
+// Not glTF: nlohmann::json allocates in its destructor, where a failure cannot be handled.
 TEST(AllocationFaults, ReadingLeavesNothing) {
   const std::filesystem::path corpus =
       std::filesystem::path(OPALINE_SOURCE_DIR) / "tests/fuzz/corpus";

@@ -10,24 +10,24 @@ namespace opaline::test {
 /// The layer of layer/faults.h in this process.
 class FaultLayer {
  public:
-  /// Has every instance from now on use it.
+  /// Every instance created from now on uses the layer.
   FaultLayer();
 
-  /// Of the calls that may return `result`, the n-th from now on does.
+  /// From now on, the n-th call that may return `result` does so.
   void arm(VkResult result, std::uint64_t nth) { arm_(result, nth, nullptr); }
   void disarm() { arm_(VK_SUCCESS, 0, nullptr); }
-  /// The driver has no such function of devices; null: it has all of them again.
+  /// Hides a device function of the driver; null: shows all again.
   void hide(const char* function) { hide_(function); }
-  /// Devices do not list that extension; null: they list all they have again.
+  /// Hides an extension of devices; null: shows all again.
   void hideExtension(const char* extension) { hideExtension_(extension); }
-  /// Software devices say that they are hardware.
+  /// Makes software devices claim to be hardware.
   void claimHardware(bool claims) { claimHardware_(claims); }
-  /// Devices say that a buffer has no more texels; 0: as many as it has.
+  /// Makes devices claim that a buffer has at most so many texels; 0: their real number.
   void claimTexels(std::uint32_t most) { claimTexels_(most); }
-  /// The function that failed since then; empty if none has.
+  /// The function that has failed since then; empty if none has.
   std::string faulted() const;
-  /// Objects that were created and not destroyed, beside the instance that is kept until the
-  /// process ends.
+  /// Objects created and not destroyed, except for the instance that is kept until the process
+  /// ends.
   std::int64_t living() const { return living_() - kept_; }
   std::string describeLiving() const { return describe_(); }
 

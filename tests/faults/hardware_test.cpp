@@ -1,5 +1,5 @@
-// Where the device says that it is hardware, work is divided more finely and tables are read as
-// storage. Where its buffers are small, less is kept. The picture is the same.
+// Devices that claim to be hardware divide work more finely and read tables as storage. With small
+// buffers, less is kept. The picture stays the same.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ RenderOptions smallOptions() {
   return options;
 }
 
-/// With light that is followed to its second collisions, a sky, an area light and a shadow on the
-/// ball.
+/// A scene whose light is followed to second collisions, with a sky, an area light and a shadow on
+/// the ball.
 Scene twoBalls(const Medium& medium) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 2), medium, {0, 0, 30}, 8);
   scene.objects.push_back({"smaller", sphere({5, 4, 3}, 2, 1), marble()});
@@ -42,7 +42,7 @@ Scene twoBalls(const Medium& medium) {
   return scene;
 }
 
-/// Its index as a name; empty where there is none.
+/// The device's index as a name; empty where there is none.
 std::string softwareDevice() {
   const std::vector<DeviceDescription> devices = listDevices();
   for (std::size_t i = 0; i < devices.size(); ++i)
@@ -50,7 +50,7 @@ std::string softwareDevice() {
   return {};
 }
 
-/// Of a software device, also where the best device is hardware, which works as such anyway.
+/// Tests on a software device, even if the best device is hardware, which works that way anyway.
 class Hardware : public testing::Test {
  protected:
   void SetUp() override {
@@ -80,13 +80,13 @@ std::vector<float> pictureOf(const Scene& scene, const RenderOptions& options, c
   return result.images.back().rgba;
 }
 
-/// Where a side of a triangle passes a sample so closely, another triangle is seen: the software
-/// device puts corners on a grid of 256 places a pixel, and invocations that draw do not.
+/// Samples very close to a triangle's side may see another triangle: the software device rounds
+/// corners to a grid of 256 places per pixel, while drawing by invocations does not.
 constexpr std::size_t pixelsOfSides = 2;  // of 32x32
 constexpr double mostAtSides = 0.01;      // of the largest value
 
-/// Root mean square difference over the largest of the first, of all pixels but the `without` that
-/// differ most.
+/// Root mean square difference relative to the largest value of the first, over all pixels except
+/// the `without` that differ most.
 double difference(const std::vector<float>& one, const std::vector<float>& other,
                   std::size_t without = 0) {
   EXPECT_EQ(one.size(), other.size());
@@ -103,7 +103,7 @@ double difference(const std::vector<float>& one, const std::vector<float>& other
   return std::sqrt(std::accumulate(rest, squares.end(), 0.0) / static_cast<double>(one.size()));
 }
 
-/// From what the device makes without claims.
+/// The difference from the picture that the device makes without claims.
 double difference(const Scene& scene, const RenderOptions& options, const Claims& claims,
                   Aov aov = Aov::Radiance) {
   return difference(pictureOf(scene, options, {}, aov), pictureOf(scene, options, claims, aov),
@@ -125,7 +125,7 @@ TEST_F(Hardware, MakesTheSamePictureOfAHalfSpace) {
   }
 }
 
-// A pixel's centre is none of its samples.
+// A pixel's centre is not one of its samples.
 TEST_F(Hardware, SeesTheSameAtTheCentresOfPixels) {
   RenderOptions options = smallOptions();
   options.transport = Transport::Dipole;
@@ -141,15 +141,15 @@ RenderOptions optionsOfManyClusters() {
   return options;
 }
 
-// Buffers that hold the coefficients of some nodes and not of others, which are found anew in each
-// step. Those that are kept are rounded.
+// The buffers hold the coefficients of some nodes only; those of others are recomputed in each
+// step. Stored ones are rounded.
 TEST_F(Hardware, OfSmallBuffersMakesTheSamePicture) {
   const double off = difference(twoBalls(marble()), optionsOfManyClusters(), {.texels = 80000});
   EXPECT_GT(off, 0);
   EXPECT_LT(off, 3e-4);
 }
 
-// They do not hold all either of what light from everywhere gives to clusters of skin.
+// They also hold only part of what light from everywhere gives to clusters of skin.
 TEST_F(Hardware, OfSmallBuffersMakesTheSamePictureOfLightFromEverywhere) {
   Scene scene = twoBalls(skin());
   scene.objects.pop_back();
@@ -158,7 +158,7 @@ TEST_F(Hardware, OfSmallBuffersMakesTheSamePictureOfLightFromEverywhere) {
   EXPECT_LT(off, 3e-4);
 }
 
-// The finest tolerance with coefficients that are kept, and the next finer one.
+// The finest tolerance with stored coefficients, and the next finer one.
 TEST_F(Hardware, KeepsCoefficientsThatAreRight) {
   Medium forwards = skin();
   forwards.g = 0.8;

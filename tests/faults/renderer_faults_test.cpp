@@ -1,6 +1,6 @@
-// Every Vulkan call that can fail does, once. Then there is one sentence, nothing is left, and the
-// renderer makes the same picture as before or says that its device is lost.
-// OPALINE_FAULT_STRIDE=1 in the environment leaves out no call.
+// Every Vulkan call that can fail does so once. Each failure must give one sentence and leave
+// nothing behind. Afterwards the renderer makes the same picture or says that its device is lost.
+// OPALINE_FAULT_STRIDE=1 in the environment tests all calls.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class Faults : public testing::TestWithParam<VkResult> {
     std::cout << failed_ << " calls failed" << std::endl;
   }
 
-  /// Whether it did not throw. What it throws is one sentence that blames nobody.
+  /// Whether it did not throw. An exception must be one sentence that blames nobody.
   static bool succeeds(const std::function<void()>& run) {
     try {
       run();
@@ -62,8 +62,8 @@ class Faults : public testing::TestWithParam<VkResult> {
     return false;
   }
 
-  /// Runs `run` with the first call that may fail, then `after`; and so on with the following ones,
-  /// every `stride`-th, up to the first run that has no more.
+  /// Runs `run` with the first failing call, then `after`; then with the following ones, every
+  /// `stride`-th, until a run has no more.
   void failEachCall(int stride, const std::function<void()>& run,
                     const std::function<void(bool succeeded)>& after) {
     if (const char* wanted = std::getenv("OPALINE_FAULT_STRIDE")) stride = std::atoi(wanted);
@@ -93,7 +93,7 @@ TEST_P(Faults, OpeningLeavesNothing) {
   });
 }
 
-// The device is open by then, and has to be closed before its instance.
+// The device is already open, and must be closed before its instance.
 TEST(FaultsOfDrivers, ADriverWithoutAFunctionIsRefusedAndLeavesNothing) {
   faultLayer();
   for (const char* function : {"vkCreateSemaphore", "vkCmdPipelineBarrier2", "vkQueueSubmit2"}) {
@@ -190,7 +190,7 @@ TEST_P(FaultsOfMemory, EditsComeOutAfterwards) {
   });
 }
 
-// The device draws one frame while the next is made.
+// The device draws one frame while the next is prepared.
 TEST_P(FaultsOfMemory, FramesUnderWayAreNotLost) {
   Renderer renderer;
   renderer.setScene(litBall());

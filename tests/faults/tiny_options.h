@@ -4,7 +4,7 @@
 
 namespace opaline::test {
 
-/// Frames that take next to no time, since there is one for each call that fails.
+/// Frames that take hardly any time, since one is rendered for each failing call.
 inline RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 16;

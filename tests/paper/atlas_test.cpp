@@ -53,7 +53,8 @@ std::pair<double, double> sizeInSpace(const core::RestSurface& surface, std::siz
 
 constexpr std::uint32_t nobody = 0xffffffffU;
 
-/// Charts by texel whose centre lies strictly inside a triangle; counts texels in two triangles.
+/// The chart of each texel whose centre lies strictly inside a triangle; counts texels in two
+/// triangles.
 struct Raster {
   int size;
   std::vector<std::uint32_t> chart;
@@ -246,7 +247,7 @@ TEST(Atlas, KeepsObjectsApart) {
 }
 
 TEST(Atlas, WeldsVerticesThatShareAPosition) {
-  // A sheet torn into separate triangles, vertex by vertex, is one chart.
+  // A sheet that is torn into separate triangles is one chart.
   const awkward::Shape sheet = awkward::flatSheet();
   awkward::Shape torn{"torn", {}, {}, {}};
   for (const Triangle& t : sheet.triangles) {
@@ -327,7 +328,7 @@ TEST(AtlasFigures, Bear) {
   expectFigures("bear", builtin::bearMesh());
 }
 
-/// The plain binary files that the models come in.
+/// Reads plain binary files, such as the models.
 Mesh readPly(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::size_t vertices = 0;

@@ -159,7 +159,8 @@ TEST(Geodesic, IsStraightInAPlane) {
     const Vector from = toVector(shape.positions[v]);
     expectSound(shape, stars[v], 2.5);
     for (std::size_t i = 0; i < 8; ++i) {
-      // Counter-clockwise, seen from where the normal +z points, from the rise along +y.
+      // Counter-clockwise from the rise along +y, as seen from the side to which the normal +z
+      // points.
       const Vector end{from[0] - 2.5 * std::sin(angleOf(i)), from[1] + 2.5 * std::cos(angleOf(i)),
                        0};
       if (std::min(end[0], end[1]) < 0 || std::max(end[0], end[1]) > 8) continue;
@@ -190,7 +191,7 @@ TEST(Geodesic, EndsAtABorderAndSaysHowFarItCame) {
   }
 }
 
-// From a corner of the sheet only two of the eight directions lead over it.
+// Only two of the eight directions from a corner of the sheet lead over it.
 TEST(Geodesic, StartsNowhereWhereNoSurfaceLies) {
   const awkward::Shape shape = sheet();
   const GeodesicStar star = starsOf(shape, 1)[vertexAt(shape, {0, 0, 0})];
@@ -248,7 +249,7 @@ TEST(Geodesic, UnfoldsOverTheEdgesOfACube) {
   const std::vector<GeodesicStar> stars = starsOf(shape, d);
   const GeodesicStar& star = stars[vertexAt(shape, {0.5, 0.5, 1})];
   for (std::size_t i = 0; i < 8; ++i) {
-    // In the plane of the face z = 1, then folded down where it leaves the face.
+    // In the plane of the face z = 1, and folded down where it leaves the face.
     Vector end{0.5 - d * std::sin(angleOf(i)), 0.5 + d * std::cos(angleOf(i)), 1};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const double inFace = std::clamp(end[axis], 0.0, 1.0);
@@ -304,7 +305,7 @@ TEST(Geodesic, SurvivesAnySurface) {
     for (const SurfacePoint& point : star) EXPECT_EQ(point.triangle, SurfacePoint::nowhere);
 }
 
-// Degenerate triangles are borders; the walks over the others end there.
+// Degenerate triangles are borders, where walks over the others end.
 TEST(Geodesic, TakesNoNoticeOfDegenerateTriangles) {
   awkward::Shape shape = sheet();
   const std::vector<GeodesicStar> clean = starsOf(shape, 1);

@@ -45,7 +45,7 @@ std::vector<Box> boxesOf(const Atlas& atlas, int mapSize) {
   return boxes;
 }
 
-/// The atlas texel by texel: which chart has a texel's centre, and what lies there in space.
+/// The atlas by texel: the chart that has a texel's centre, and its place in space.
 struct Texels {
   static constexpr std::uint32_t noChart = std::numeric_limits<std::uint32_t>::max();
 
@@ -60,7 +60,7 @@ struct Texels {
 
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * mapSize + x); }
 
-  /// Of a texel, or of the nearest around it whose centre is covered.
+  /// The place of a texel, or of the nearest one around it with a covered centre.
   std::optional<Vector> near(std::uint32_t texel) const {
     const int x = static_cast<int>(texel) % mapSize;
     const int y = static_cast<int>(texel) / mapSize;
@@ -112,7 +112,7 @@ double gap(const Vector& a, const Vector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// What holds for every surface: tiles lie apart in the map, at multiples of the alignment, and
+/// Properties for every surface: tiles are separate in the map, at multiples of the alignment, and
 /// nothing is drawn beside them.
 void expectSoundLayout(const Neighbourhoods& map, const Atlas& atlas,
                        const NeighbourhoodOptions& options) {
@@ -199,7 +199,7 @@ struct CutSheet {
     atlas.mmPerUnit = mapSize / texelsPerMm;
   }
 
-  /// Where a point of the plane would lie if the chart went on, texels.
+  /// The place of a point of the plane if the chart continued, in texels.
   static Point inAtlas(std::size_t chart, double x, double y) {
     const double c = texelsPerMm * std::cos(angles[chart]);
     const double s = texelsPerMm * std::sin(angles[chart]);
@@ -209,7 +209,7 @@ struct CutSheet {
     return {middle[0] + c * fromX - s * fromY, middle[1] + s * fromX + c * fromY};
   }
 
-  /// And back.
+  /// The inverse.
   static Point inPlane(std::size_t chart, double u, double v) {
     const double c = std::cos(angles[chart]) / texelsPerMm;
     const double s = std::sin(angles[chart]) / texelsPerMm;
@@ -239,8 +239,8 @@ struct CutSheet {
   std::vector<std::uint32_t> chartOfCorner_;
 };
 
-// A plane needs no unfolding: beyond a seam the apron shows the strip that lies there, and nothing
-// beyond the sheet's own border.
+// A plane needs no unfolding: beyond a seam the apron shows the adjacent strip, and nothing beyond
+// the sheet's own border.
 TEST(Neighbourhood, GoesOnAcrossTheSeamsOfAPlane) {
   const CutSheet sheet;
   const NeighbourhoodOptions options{.mapSize = CutSheet::mapSize, .reach = 24, .maxSize = 2048};
@@ -287,7 +287,8 @@ TEST(Neighbourhood, GoesOnAcrossTheSeamsOfAPlane) {
   EXPECT_GT(beyondBorders, 4000);
 }
 
-// Aprons of curved closed surfaces: whole, but for what cannot be unfolded, and continuous.
+// Aprons of curved closed surfaces are continuous, and complete except where they cannot be
+// unfolded.
 TEST(Neighbourhood, SurroundsTheChartsOfClosedSurfaces) {
   for (const awkward::Shape& shape : {awkward::sphere(), awkward::torus(), bear()}) {
     SCOPED_TRACE(shape.name);
@@ -344,7 +345,8 @@ TEST(Neighbourhood, SurroundsTheChartsOfClosedSurfaces) {
         }
     }
     EXPECT_GT(within, 100000);
-    // The bear is strongly curved where its ears and arms begin; there the unfolded surface gapes.
+    // The bear is strongly curved where its ears and arms begin; the unfolded surface has gaps
+    // there.
     const double gaping = shape.name == "bear" ? 0.015 : 0.01;
     EXPECT_LT(missing, gaping * within) << boxes.size() << " charts";
     EXPECT_LT(torn, 0.01 * pairs);

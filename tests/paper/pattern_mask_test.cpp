@@ -47,7 +47,7 @@ Offset offsetOf(const shared::PatternEntry& entry) {
   return {static_cast<std::int16_t>(bits & 0xffffU), static_cast<std::int16_t>(bits >> 16U)};
 }
 
-// What a near sample gives in a plane under light of 1, lib/scatter.glsl.
+// The contribution of a near sample in a plane under light of 1, as in lib/scatter.glsl.
 double nearSample(const PatternMask& mask, const Profiles& profiles, std::size_t entry, int channel,
                   double texelMm) {
   const shared::PatternEntry& sample = mask.entries[entry];
@@ -58,8 +58,8 @@ double nearSample(const PatternMask& mask, const Profiles& profiles, std::size_t
              std::sqrt(squared * static_cast<double>(sample.value[channel]) + mask.nearSquareMm2));
 }
 
-// The whole pattern in a plane under light of 1: what lib/scatter.glsl and
-// pattern_vertices.comp.glsl add up.
+// The whole pattern in a plane under light of 1, as summed in lib/scatter.glsl and
+// pattern_vertices.comp.glsl.
 Sums sumInPlane(const PatternMask& mask, const Profiles& profiles, const PatternExtent& extent,
                 double texelMm) {
   Sums sums{};
@@ -81,7 +81,7 @@ double outerRadiusMm(const PatternExtent& extent, double texelMm) {
   return std::max(2 * extent.distance - extent.blockRadius(), extent.blockRadius()) * texelMm;
 }
 
-// By the midpoint rule, for squares that do not hold the sharp middle of the profile.
+// By the midpoint rule, for squares without the sharp middle of the profile.
 double integralOverCell(const bssrdf::Profile& profile, double x, double y, double edge) {
   constexpr int steps = 60;
   double sum = 0;
@@ -142,7 +142,7 @@ TEST(PatternMask, EveryNearSampleGivesWhatItsCellReflects) {
           const double expected =
               integralOverCell(profiles[static_cast<std::size_t>(c)], offset.x * one.texelMm,
                                offset.y * one.texelMm, edge);
-          // Of the whole where the cell gives next to nothing.
+          // Relative to the whole where the cell contributes almost nothing.
           EXPECT_NEAR(nearSample(mask, profiles, i, c, one.texelMm), expected,
                       0.01 * expected + 1e-4 * whole)
               << one.medium.name << ", channel " << c << ", texel " << one.texelMm << " mm, at "
@@ -271,7 +271,7 @@ TEST(PatternExtentTest, FitsIntoItsReach) {
           EXPECT_EQ(extent.spacing, spacing);
           continue;
         }
-        // The next larger one, rings before spacing, would not fit.
+        // The next larger pattern, rings before spacing, must not fit.
         PatternExtent larger = extent;
         ++(extent.nearRings < rings ? larger.nearRings : larger.spacing);
         EXPECT_GT(larger.nearReach(), reach);

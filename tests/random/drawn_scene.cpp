@@ -26,7 +26,7 @@ Rgb color(Dice& dice, float scale) {
   return {scale * dice.between(0, 1), scale * dice.between(0, 1), scale * dice.between(0, 1)};
 }
 
-/// Around the origin, of half size 1.
+/// A body around the origin, of half size 1.
 Mesh unitBody(Dice& dice) {
   switch (dice.below(6)) {
     case 0:

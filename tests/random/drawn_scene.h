@@ -9,13 +9,13 @@
 
 namespace opaline::test {
 
-/// Numbers that are the same with every standard library.
+/// Random numbers that are equal with every standard library.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : bits_(seed) {}
 
   float between(float low, float high);
-  /// Evenly by its logarithm.
+  /// Uniform in the logarithm.
   float betweenLog(float low, float high);
   int below(int count);
   bool chance(float probability) { return between(0, 1) < probability; }
@@ -25,9 +25,10 @@ class Dice {
   std::mt19937 bits_;
 };
 
-/// A scene of up to three bodies drawn at random: solids, thin plates, needles and bodies that
-/// touch, of size 1e-3 to 1e6 mm and up to 10,000 times that from the origin (at most 1e7 mm), of
-/// any medium from 1/3 to 1,000 mean free paths wide, moved by deformers, in lights of all kinds.
+/// A random scene of up to three bodies: solids, thin plates, needles and bodies that touch. Their
+/// size is 1e-3 to 1e6 mm, and their distance from the origin up to 10,000 times that (at most 1e7
+/// mm). They have any medium from 1/3 to 1,000 mean free paths wide, deformers, and lights of all
+/// kinds.
 struct DrawnScene {
   Scene scene;
   float sizeMm = 1;
@@ -35,13 +36,13 @@ struct DrawnScene {
 };
 DrawnScene drawScene(Dice& dice);
 
-/// Of a scene of that size around there.
+/// For a scene of that size at that place.
 Medium drawMedium(Dice& dice, float sizeMm);
 Lighting drawLighting(Dice& dice, float sizeMm, const Vec3& middleMm);
 Camera drawCamera(Dice& dice, float sizeMm, const Vec3& middleMm);
 Mesh drawBody(Dice& dice, float sizeMm, const Vec3& middleMm);
 
-/// Small pictures by any method that can show the scene.
+/// Options for small pictures by any method that can show the scene.
 RenderOptions drawOptions(Dice& dice, const Scene& scene);
 
 }  // namespace opaline::test

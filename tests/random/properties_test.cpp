@@ -1,5 +1,5 @@
-// What holds of every scene. OPALINE_SCENES=1000 in the environment draws so many, OPALINE_SEED
-// begins with another.
+// Properties of every scene. OPALINE_SCENES=1000 in the environment draws that many, OPALINE_SEED
+// sets the first seed.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ float largest(const Image& image) {
   return most;
 }
 
-/// Over what is covered, of the channel with the largest.
+/// Mean over covered pixels of the largest channel.
 float mean(const Image& image) {
   std::array<double, 3> sums{};
   double covered = 0;
@@ -54,7 +54,7 @@ float mean(const Image& image) {
                       : static_cast<float>(*std::max_element(sums.begin(), sums.end()) / covered);
 }
 
-/// Root of the mean square of a − factor·b where both are covered, relative to that of a.
+/// Root mean square of a − factor·b where both are covered, relative to that of a.
 float difference(const Image& a, const Image& b, float factor) {
   double apart = 0;
   double all = 0;
@@ -128,7 +128,7 @@ void scaleLengths(Scene& scene, float factor) {
   scale(scene.camera.targetMm);
 }
 
-/// Nothing but even light: what leaves is at most what arrives.
+/// Nothing but even light, in which no more light leaves than arrives.
 Lighting evenLight() {
   Lighting lighting;
   lighting.ambient = {1, 1, 1};
@@ -151,7 +151,7 @@ void check(std::uint32_t seed) {
   EXPECT_LT(difference(picture(brighter, options), image, 4), 1e-4F) << "linear in the lights";
 
   Scene scaled = drawn.scene;
-  // By powers of two, so that lengths are the same numbers but for their exponents.
+  // By powers of two, so that lengths only differ in their exponents.
   const float factor = drawn.sizeMm < 1 ? 8 : .125F;
   scaleLengths(scaled, factor);
   EXPECT_LT(difference(image, picture(scaled, options), 1), 1e-3F) << "by scale";
@@ -164,8 +164,8 @@ void check(std::uint32_t seed) {
   if (options.transport == Transport::Boundary) {
     const Image lit = picture(even, matte);
     EXPECT_LE(mean(lit), 1.01F) << "gains energy";
-    // Single places are off by some per cent where bodies are divided coarsely, and not where they
-    // are divided finely: that is an error of the division, and no gain.
+    // With coarse division single places are off by some per cent, but not with fine division. That
+    // is an error of the division and not a gain of energy.
     EXPECT_LE(largest(lit), 1.1F) << "gains energy in a place";
     if (largest(lit) > 1.01F) {
       matte.maxClusters = 8192;

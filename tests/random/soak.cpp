@@ -1,6 +1,6 @@
-// opaline_soak FRAMES [SEED]: small frames of one renderer with edits of media, lights, bodies,
-// sizes, methods and views drawn from the seed. Its memory stays as it is, and at some moments a
-// fresh renderer makes the same picture, bit for bit.
+// opaline_soak FRAMES [SEED]: renders small frames with one renderer, and edits media, lights,
+// bodies, sizes, methods and views at random. Memory must not grow, and at some moments a fresh
+// renderer must make the same picture bit by bit.
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -34,7 +34,7 @@ double residentMegabytes() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// What is allocated and not freed, whatever the allocator keeps beside it.
+/// Memory allocated and not freed, without the allocator's own.
 double allocatedMegabytes() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks + info.hblkhd) / 1e6;
@@ -47,7 +47,7 @@ std::size_t openFiles() {
   return count;
 }
 
-/// A renderer, what it shows, and views that look at it.
+/// A renderer, its scene, and views of it.
 class Soak {
  public:
   explicit Soak(std::uint32_t seed) : dice_(seed) { showAnotherScene(); }
@@ -59,7 +59,7 @@ class Soak {
     picture_ = shown.view->render({.patient = true, .reuseLight = dice_.chance(.5F)}).images.at(0);
   }
 
-  /// Throws where a fresh renderer makes another picture of what was shown last.
+  /// Throws where a fresh renderer makes a different picture of the last scene.
   void compare() const {
     Renderer fresh;
     fresh.setScene(drawn_.scene);
@@ -100,7 +100,7 @@ class Soak {
     const auto object =
         static_cast<std::size_t>(dice_.below(static_cast<int>(drawn_.scene.objects.size())));
     constexpr std::size_t mostViews = 3;
-    // Most edits are those that most frames see.
+    // Most edits are of the kinds that frequently occur.
     switch (const int kind = dice_.below(200)) {
       case 0:
         return showAnotherScene();
@@ -139,7 +139,7 @@ class Soak {
 
   void setLighting() {
     drawn_.scene.lighting = drawLighting(dice_, drawn_.sizeMm, drawn_.middleMm);
-    // Every view is to know all its lights.
+    // Every view must support all lights.
     for (Shown& shown : views_)
       if (shown.view->options().sum == Sum::Pattern) drawn_.scene.lighting.areas.clear();
     renderer_.setLighting(drawn_.scene.lighting);
@@ -159,7 +159,7 @@ class Soak {
 int run(std::uint64_t frames, std::uint32_t seed) {
   Soak soak(seed);
   const Clock::time_point begin = Clock::now();
-  // By then the largest of everything has been there.
+  // By then everything has been at its largest.
   const std::uint64_t warm = std::max<std::uint64_t>(frames / 4, 1);
   const std::uint64_t step = std::max<std::uint64_t>(frames / 40, 20);
   double early = 0;
@@ -175,7 +175,7 @@ int run(std::uint64_t frames, std::uint32_t seed) {
       fmt::print("frame {} of seed {}: {}\n", i, seed, error.what());
       return 1;
     }
-    malloc_trim(0);  // holes between blocks are no growth
+    malloc_trim(0);  // holes between blocks do not count as growth
     const double megabytes = residentMegabytes();
     fmt::print(stderr, "{} of {} frames, {:.0f} MB, {:.0f} MB of it allocated\n", i, frames,
                megabytes, allocatedMegabytes());
@@ -187,7 +187,7 @@ int run(std::uint64_t frames, std::uint32_t seed) {
       "{} frames, {} edits, {} scenes, {} pictures as a fresh renderer makes them, {:.0f} s; at "
       "most {:.0f} MB in the first quarter and {:.0f} MB in the last, {} open files\n",
       frames, soak.edits(), soak.scenes(), compared, seconds, early, late, openFiles());
-  // Before so many frames not every pipeline has been there.
+  // Fewer frames have not used every pipeline.
   constexpr double allowance = 1.1;
   constexpr std::uint64_t fewest = 10'000;
   if (frames < fewest || late <= allowance * early + 8) return 0;

@@ -18,13 +18,13 @@ using namespace opaline::faults;
 
 PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
 PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
-// Asked for early: later the loader answers with the first of all layers. Instances differ in what
-// layers they have.
+// Queried early: later the loader would answer with the first layer. Instances differ in their
+// layers.
 std::map<VkInstance, PFN_vkDestroyInstance> nextDestroyInstance;
 PFN_vkDestroyDevice nextDestroyDevice = nullptr;
 PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
 PFN_vkGetPhysicalDeviceProperties2 nextGetProperties2 = nullptr;
-std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the last
+std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the latest device
 
 void waitForDevice() {
   if (device == VK_NULL_HANDLE) return;
@@ -33,7 +33,7 @@ void waitForDevice() {
   wait(device);
 }
 
-/// Stands before a function that can fail.
+/// Wraps a function that can fail.
 template <typename Function, Call& call>
 struct Failing;
 template <typename... Arguments, Call& call>
@@ -47,7 +47,7 @@ struct Failing<VkResult(VKAPI_PTR*)(Arguments...), call> {
   }
 };
 
-/// Stands before a function that destroys an object.
+/// Wraps a function that destroys an object.
 template <typename Function, Call& call>
 struct Destroying;
 template <typename Parent, typename Object, Call& call>
@@ -61,7 +61,7 @@ struct Destroying<void(VKAPI_PTR*)(Parent, Object, const VkAllocationCallbacks*)
   }
 };
 
-// name, failures, kind of object that it makes
+// name, failures, kind of object created
 #define OPALINE_FAILING(X)                                                                      \
   X(vkEnumeratePhysicalDevices, ofMemory | ofInitialization, nullptr)                           \
   X(vkEnumerateDeviceExtensionProperties, ofMemory, nullptr)                                    \
@@ -164,7 +164,7 @@ const Entry entries[] = {OPALINE_FAILING(OPALINE_ENTRY) OPALINE_DESTROYING(OPALI
 #undef OPALINE_ENTRY
 #undef OPALINE_END
 
-/// The link of the chain that the loader has left for this layer.
+/// The link of the chain that the loader prepared for this layer.
 template <typename Info>
 Info* linkIn(const void* chain, VkStructureType type) {
   for (auto* info = static_cast<const VkBaseInStructure*>(chain); info != nullptr;

@@ -10,7 +10,7 @@
 
 namespace opaline::faults {
 
-/// What Vulkan 1.3 lets a function return, with what drivers are known to return beside it.
+/// Results that Vulkan 1.3 allows a function, and others that drivers are known to return.
 enum Failures : unsigned {
   ofMemory = 1,
   ofDevice = 2,
@@ -29,7 +29,7 @@ struct Call {
   std::atomic<std::int64_t>* living = nullptr;
 };
 
-/// Which call is to fail, and what has been created and not destroyed.
+/// Which call must fail, and which objects exist.
 class State {
  public:
   State();
@@ -39,7 +39,7 @@ class State {
 
   void arm(VkResult result, std::uint64_t nth, const char* function);
 
-  /// Counts a call and says whether it is to fail. `lose` is called before the device is lost.
+  /// Counts a call and says whether it must fail. `lose` is called before the device is lost.
   template <typename Lose>
   bool fails(const Call& call, const Lose& lose) {
     const std::lock_guard lock(mutex_);
@@ -49,7 +49,7 @@ class State {
     if (nth_ == 0 || calls_ < nth_) return false;
     if (calls_ > nth_) return result_ == VK_ERROR_DEVICE_LOST;
     faulted_ = call.name;
-    // What the device still does must not outlive what it uses.
+    // Work of the device must not outlive what it uses.
     if (result_ == VK_ERROR_DEVICE_LOST) lose();
     return true;
   }
@@ -58,10 +58,10 @@ class State {
   std::uint64_t calls() const { return calls_; }
   const char* faulted() const { return faulted_; }
 
-  /// Objects of that kind.
+  /// The number of objects of that kind.
   std::atomic<std::int64_t>& living(const char* kind);
   std::int64_t living() const;
-  /// Their kinds, with counts.
+  /// The kinds of existing objects, with counts.
   std::string describe() const;
 
  private:
@@ -80,7 +80,7 @@ class State {
   std::array<Kind, 32> kinds_;
 };
 
-/// Of the process; as its environment says, before anybody else has armed it.
+/// The state of the process. The environment arms it before anybody else does.
 State& state();
 
 }  // namespace opaline::faults
