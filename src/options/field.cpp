@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "opaline/error.h"
+
 namespace opaline::options {
 
 namespace {
@@ -81,6 +83,13 @@ std::string requirement(const Allowed& allowed, const Value& like) {
               return fmt::format("must be three numbers or one for all three, each {}", range);
           }},
       like);
+}
+
+std::size_t indexOf(std::string_view name, std::span<const std::string_view> names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw UsageError(fmt::format("'{}' is none of {}", name, fmt::join(names, ", ")));
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::string textOf(const Value& value) {

@@ -159,6 +159,7 @@ class Refusals(ProgramTest):
             ("--method", "ours", "paper"),
             ("--medium", "marbel", "did you mean marble?"),
             ("--builtin", "bunny", "bear, teapot"),
+            ("--color-model", "bogus", "observed, khr"),
             ("-o", "a.jpg", ".png or .exr"),
             ("-o", "png", ".png or .exr"),
             ("--report", "a.txt", ".json"),

@@ -7,12 +7,14 @@
 #include <limits>
 #include <set>
 
+#include "opaline/error.h"
 #include "opaline/options/picture.h"
 #include "opaline/options/scene.h"
 
 namespace opaline::options {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 TEST(Range, HoldsItsEndsAndNothingThatIsNotFinite) {
@@ -118,6 +120,16 @@ TEST(Picture, WhatIsOutOfRangeIsRefusedWithOneSentence) {
       EXPECT_EQ(sound, ofTone) << field.key;
     }
   }
+}
+
+TEST(Names, OfAnOptionThatMayHaveNoValueAreItsChoices) {
+  const Field<LoadOptions>& field = fieldOf<LoadOptions>("color_model");
+  EXPECT_THAT(field.allowed.choices, ElementsAre("observed", "khr"));
+  EXPECT_FALSE(field.allowed.holds(std::string("bogus")));
+  EXPECT_EQ(named<ColorModel>("observed"), ColorModel::Observed);
+  EXPECT_THROW(named<ColorModel>("bogus"), UsageError);
+  LoadOptions options;
+  EXPECT_THROW(field.set(options, std::string("bogus")), UsageError);
 }
 
 TEST(Picture, NotANumberIsOutOfEveryRange) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
@@ -134,7 +135,10 @@ Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
   return field;
 }
 
-/// The names of an enumeration's values, in the values' order.
+/// For the library: where a name stands among others. Throws UsageError where it does not.
+OPALINE_API std::size_t indexOf(std::string_view name, std::span<const std::string_view> names);
+
+/// The names of an enumeration's values, in their order.
 template <typename Enumeration>
 const std::vector<std::string_view>& namesOf();
 
@@ -144,13 +148,10 @@ std::string nameOf(Enumeration value) {
   return std::string(namesOf<Enumeration>().at(static_cast<std::size_t>(value)));
 }
 
-/// The value with a name; the name must be one of the enumeration's.
+/// The value of that name. Throws UsageError where there is none.
 template <typename Enumeration>
 Enumeration named(std::string_view name) {
-  const std::vector<std::string_view>& names = namesOf<Enumeration>();
-  std::size_t index = 0;
-  while (index + 1 < names.size() && names[index] != name) ++index;
-  return static_cast<Enumeration>(index);
+  return static_cast<Enumeration>(indexOf(name, namesOf<Enumeration>()));
 }
 
 /// The member at the end of a path of members.
@@ -202,12 +203,23 @@ Value valueLike() {
     return T{};
 }
 
+/// For the library: what a value of that kind may be called; empty where it has no name.
+template <typename T>
+std::vector<std::string_view> namesLike() {
+  if constexpr (IsOptional<T>::value)
+    return namesLike<typename T::value_type>();
+  else if constexpr (std::is_enum_v<T>)
+    return namesOf<T>();
+  else
+    return {};
+}
+
 /// The option that is the member at the end of `path`.
 template <typename Owner, auto... path>
 Field<Owner> field(std::string_view key, Allowed allowed, std::string_view help,
                    std::string_view standard = {}) {
   using Member = std::remove_cvref_t<decltype(memberOf<path...>(std::declval<Owner&>()))>;
-  if constexpr (std::is_enum_v<Member>) allowed.choices = namesOf<Member>();
+  if (auto names = namesLike<Member>(); !names.empty()) allowed.choices = std::move(names);
   return {key,
           {},
           help,
