@@ -155,6 +155,10 @@ class Profile(ProgramTest):
                         self.assertTrue(math.isfinite(value[channel]) and value[channel] >= 0, value)
                 self.succeed("profile", "--sigma-s", scattering, "--sigma-a", absorption, "--plot", "x.svg")
 
+    def test_a_profile_has_no_objects(self):
+        self.refused(2, "profile", "--medium", "wax@bear", says=("--medium wax@bear", "no objects"))
+        self.assertNotIn("@", self.succeed("profile", "--help").out)
+
     def test_the_plot(self):
         self.succeed("profile", "--plot", "marble.svg")
         self.assertEqual(self.listing(), ["marble.svg"])

@@ -23,11 +23,27 @@ Medium namedMedium(const Given& given, std::string_view name) {
                                given.option, given.text, suggestion(name, names)));
 }
 
+constexpr const char* helpOnNames = "a name that opaline media lists";
+
 }  // namespace
 
 void MediumOptions::addTo(CommandLine& line) {
-  line.repeated("--medium", "NAME[@OBJECT]", "a name that opaline media lists",
+  line.repeated("--medium", "NAME[@OBJECT]", helpOnNames,
                 [this](const Given& given) { read(given); });
+  addCoefficientsTo(line);
+}
+
+void MediumOptions::addWithoutObjectsTo(CommandLine& line) {
+  line.value("--medium", "NAME", helpOnNames, [this](const Given& given) {
+    if (const std::size_t at = given.text.find('@'); at != std::string::npos)
+      throw UsageError(fmt::format("{} {}: there are no objects here; name the medium alone, {}",
+                                   given.option, given.text, given.text.substr(0, at)));
+    read(given);
+  });
+  addCoefficientsTo(line);
+}
+
+void MediumOptions::addCoefficientsTo(CommandLine& line) {
   addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s",
            "reduced scattering and absorption, 1/mm");
   addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a", "");

@@ -16,6 +16,8 @@ namespace opaline::app {
 class MediumOptions {
  public:
   void addTo(CommandLine& line);
+  /// The same where there are no objects.
+  void addWithoutObjectsTo(CommandLine& line);
   bool any() const { return named_ || !ofObjects_.empty() || !chosen_.empty(); }
   /// The medium that was asked for; none when no such option was given. Throws UsageError for a
   /// combination that describes no medium.
@@ -25,6 +27,7 @@ class MediumOptions {
 
  private:
   void read(const Given& given);
+  void addCoefficientsTo(CommandLine& line);
 
   std::optional<Medium> named_;
   std::vector<MediumOfObject> ofObjects_;

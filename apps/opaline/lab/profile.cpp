@@ -37,7 +37,7 @@ struct ProfileCommand {
 
   void addTo(CommandLine& line) {
     line.section("Medium, marble when none is named");
-    medium.addTo(line);
+    medium.addWithoutObjectsTo(line);
     line.section("Options");
     halfSpace.addTo(line);
     line.value("--samples", "N", "radii in the table, 2 to 100000 [33]",
