@@ -205,6 +205,8 @@ class Refusals(ProgramTest):
             (("--eta", "1.4"), "--sigma-s"),
             (("--g", "0.9"), "--medium"),
             (("--medium", "skin1", "--sigma-s", "1,1,1", "--sigma-a", "1,1,1"), "exclude each other"),
+            (("--medium", "wax", "--medium", "marble"), ("--medium marble", "twice")),
+            (("--medium", "marble@ball", "--medium", "wax@ball"), ("--medium wax@ball", "twice")),
             (("--sigma-s", "0,1,1", "--sigma-a", "0,1,1"), "each above 0"),
             (("--sigma-s", "0,1,1", "--sigma-a", "1,1,1"), "each above 0"),
             (("--builtin", "bear", "a.ply"), "exclude each other"),
