@@ -27,10 +27,16 @@ std::string listed(const std::vector<int>& counts) {
   return text;
 }
 
-template <typename Numbers>
-bool allIn(const Numbers& numbers, const Range& range) {
-  return std::all_of(numbers.begin(), numbers.end(),
-                     [&](auto number) { return range.holds(static_cast<double>(number)); });
+template <typename Number>
+bool isIn(Number number, const Range& range) {
+  return range.holds(static_cast<double>(number));
+}
+
+// A limit that float rounds is the limit.
+bool isIn(float number, const Range& range) {
+  return range.holds(static_cast<double>(number)) ||
+         (number == static_cast<float>(range.least) && !range.aboveLeast) ||
+         number == static_cast<float>(range.most);
 }
 
 }  // namespace
@@ -39,22 +45,20 @@ bool Allowed::holds(const Value& value) const {
   return std::visit(
       Overloaded{[](bool) { return true; },
                  [&](int number) {
-                   return range.holds(number) &&
+                   return isIn(number, range) &&
                           (counts.empty() ||
                            std::find(counts.begin(), counts.end(), number) != counts.end());
                  },
-                 // A float that a limit rounds to counts as the limit.
-                 [&](float number) {
-                   return range.holds(static_cast<double>(number)) ||
-                          (number == static_cast<float>(range.least) && !range.aboveLeast) ||
-                          number == static_cast<float>(range.most);
-                 },
-                 [&](double number) { return range.holds(number); },
+                 [&](float number) { return isIn(number, range); },
+                 [&](double number) { return isIn(number, range); },
                  [&](const std::string& text) {
                    if (choices.empty()) return !text.empty();
                    return std::find(choices.begin(), choices.end(), text) != choices.end();
                  },
-                 [&](const auto& several) { return allIn(several, range); }},
+                 [&](const auto& several) {
+                   return std::all_of(several.begin(), several.end(),
+                                      [&](auto number) { return isIn(number, range); });
+                 }},
       value);
 }
 

@@ -318,6 +318,11 @@ class Light(Render):
         picture = self.exr("--ambient", "1,2,0", "--aov", "irradiance")
         self.near(picture.centre()[:3], (math.pi * .908, 2 * math.pi * .908, 0), 2e-3)
 
+    def test_the_most_light_that_there_may_be(self):
+        for light in (("--ambient", "1e30"), ("--directional", "0,0,1:1e30"), ("--point", "0,0,100:1e30")):
+            most = max(max(pixel[:3]) for pixel in self.exr(*light, "--aov", "irradiance").pixels())
+            self.assertTrue(1e25 < most < 1e31, (light, most))
+
     def test_only_what_is_given_shines(self):
         for pixel in self.exr("--ambient", "0,0,0").pixels():
             self.assertEqual(pixel[:3], (0, 0, 0))

@@ -29,6 +29,17 @@ TEST(Range, HoldsItsEndsAndNothingThatIsNotFinite) {
   EXPECT_FALSE((Range{1, 2, "", true}.holds(1)));
 }
 
+TEST(Allowed, HoldsTheEndsOfItsRangeAsFloatsRoundThem) {
+  const float most = 1e30F;
+  ASSERT_GT(double{most}, 1e30);
+  const Allowed allowed{{0, 1e30}};
+  EXPECT_TRUE(allowed.holds(most));
+  EXPECT_TRUE(allowed.holds(Rgb{most, 0, most}));
+  const float more = std::nextafter(most, std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(allowed.holds(Rgb{1, 1, more}));
+  EXPECT_FALSE((Allowed{{0, 1, "", true}}.holds(Rgb{0, 1, 1})));
+}
+
 TEST(Range, IsDescribedWithItsUnit) {
   EXPECT_EQ(describe({0, 1000, "mean free paths"}), "from 0 to 1000 mean free paths");
   EXPECT_EQ(describe({0, 100, "mm", true}), "above 0 and at most 100 mm");

@@ -96,7 +96,7 @@ LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
                 true},
       SphereLight{random.place(), random.real(1e-3, 1e5), random.light()},
       TubeLight{random.place(), random.place(), random.real(0.1, 9), random.light()}};
-  scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
+  scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e30F, 0}});
   scene.lighting.ambient = random.light();
   writeExr(skyFile, sky());
   loaded.source.environment = {skyFile, random.real(0, 100), random.within(-1e6, 1e6)};

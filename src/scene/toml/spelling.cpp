@@ -31,7 +31,7 @@ bool isBracket(char c) {
 }
 
 void requireHeld(double value, std::string_view what) {
-  if (std::abs(value) <= 1e30) return;
+  if (std::abs(value) <= double{1e30F}) return;  // a little more than 1e30, which it is read as
   throw Error(fmt::format("{} is {}, which a scene file cannot hold", what, value));
 }
 
