@@ -55,7 +55,8 @@ class Refusals(ProgramTest):
 
     def test_what_comes_later_is_no_option_yet(self):
         self.refused(2, "render", "--sum", "forest", says=("--sum forest", "pattern, tree, all"))
-        self.refused(2, "render", "--tolerance", "0.1", "--sum", "all", says=("--tolerance", "--sum tree"))
+        self.refused(2, "render", "--tolerance", "0.1", "--sum", "all", "--transport", "dipole",
+                     says=("--tolerance", "--sum tree", "--transport boundary"))
         self.refused(2, "render", "--max-surfels", "4096", "--method", "paper", says="--max-surfels")
         self.refused(2, "render", "--dsm-size", "128", says=("--dsm-size", "--sum pattern"))
         self.refused(2, "render", "--max-surfels", "12", says=("--max-surfels", "1024"))

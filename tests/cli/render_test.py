@@ -126,6 +126,11 @@ class Outputs(Render):
         self.write("scene.toml", 'model = "cube.obj"\n[render]\ntransport = "boundary"\n')
         self.refused(2, "render", "scene.toml", "--sum", "pattern", says=("--transport boundary", "--sum tree"))
 
+    def test_the_solver_follows_the_tolerance_whatever_the_sum(self):
+        few = ("--sum", "all", "--max-surfels", 1024, "--aov", "exitance")
+        rough, fine = (self.exr(*few, "--tolerance", tolerance, body=BODY) for tolerance in (1, .0001))
+        self.assertNotEqual(list(rough.pixels()), list(fine.pixels()))
+
     def test_every_method_is_what_the_report_says(self):
         for transport in ("dipole", "better-dipole", "boundary"):
             for total in ("pattern", "tree", "all"):

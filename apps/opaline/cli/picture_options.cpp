@@ -100,8 +100,11 @@ void MethodOptions::applyTo(RenderOptions& options, const SceneFileSettings& set
     throw UsageError(
         "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
   }
-  if (options.sum != Sum::Tree && chosen.has("tolerance")) {
-    throw UsageError("--tolerance is the allowed error of the tree and needs --sum tree");
+  if (options.sum != Sum::Tree && options.transport != Transport::Boundary &&
+      chosen.has("tolerance")) {
+    throw UsageError(
+        "--tolerance is the allowed error of the tree and of the solver and needs --sum tree or "
+        "--transport boundary");
   }
   if (options.sum == Sum::Pattern && chosen.has("max_surfels")) {
     throw UsageError("--max-surfels limits surfels and needs --sum tree or --sum all");
