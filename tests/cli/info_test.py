@@ -104,6 +104,22 @@ class Info(ProgramTest):
             if word:
                 self.assertIn(word, notes)
             self.assertEqual(self.succeed(*arguments, "--quiet").err, "")
+        # Where nothing is absorbed, mean free paths count, and a body may be as large as it likes.
+        for paths, noted in [(1.9, True), (2.1, False), (1e5, False)]:
+            notes = self.succeed("info", "cube.obj", "--sigma-s", 2, "--sigma-a", 0, "--diagonal-mm", paths / 2).err
+            self.assertEqual("mean free paths" in notes and "fog" in notes, noted, (paths, notes))
+
+    def test_a_size_is_that_of_an_object(self):
+        self.write("cube.obj", CUBE_OBJ)
+        cubes = "".join(f'[[models]]\nfile = "{name}.obj"\ndiagonal_mm = {mm}\ntranslation_mm = [{place}, 0, 0]\n'
+                        for name, mm, place in (("cube", 100, 0), ("pea", 9, 200), ("grain", 6, 300)))
+        for name in ("pea", "grain"):
+            self.write(f"{name}.obj", CUBE_OBJ)
+        self.write("scene.toml", 'medium = "marble"\n' + cubes)
+        notes = self.succeed("info", "scene.toml").err.splitlines()
+        self.assertEqual(len(notes), 1, notes)
+        for said in ("object grain measures 6 mm, 0.705 diffusion lengths of marble", "as will 1 more"):
+            self.assertIn(said, notes[0])
 
     def test_the_text_says_the_same(self):
         self.write("cube.obj", CUBE_OBJ)

@@ -54,14 +54,6 @@ struct InfoCommand {
   }
 };
 
-std::array<double, 3> sizeMm(const Object& object) {
-  Scene alone;
-  alone.objects.push_back(object);
-  const Bounds bounds = boundsOf(alone);
-  return {bounds.maxMm[0] - bounds.minMm[0], bounds.maxMm[1] - bounds.minMm[1],
-          bounds.maxMm[2] - bounds.minMm[2]};
-}
-
 const std::string& materialName(const Object& object) {
   return object.opaque ? object.opaque->name : object.medium.name;
 }

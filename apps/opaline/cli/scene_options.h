@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -84,8 +85,11 @@ class CameraOptions {
   options::Chosen<Camera> chosen_;
 };
 
-/// A sentence for each medium compared to which the scene is so large or so small that its size was
-/// probably not meant.
+/// Of the box around an object.
+std::array<double, 3> sizeMm(const Object& object);
+
+/// Sentences about objects that are so large or so small beside how far light goes in them that
+/// their size was probably not meant: of each medium the farthest off, with how many others.
 std::vector<std::string> notesOnSize(const Scene& scene);
 
 }  // namespace opaline::app
