@@ -199,6 +199,13 @@ class Refusals(ProgramTest):
             self.refused(2, "profile", option, text, says=(f"{option} {text}",))
         self.assertEqual(self.listing(), [])
 
+    def test_a_word_for_numbers_is_no_scene(self):
+        for colour in ("nan", "inf", "0.5,nan,0", "0.5,0.5", "2"):
+            self.refused(2, "render", "--ground", colour, says=(f"--ground {colour}", "from 0 to 1"))
+        self.refused(1, "render", "--ground", "nan.ply", says="Cannot read nan.ply")
+        self.write("nan", "")
+        self.refused(1, "render", "--ground", "nan", says="nan")
+
     def test_mixtures_that_make_no_sense(self):
         for arguments, says in [
             (("--sigma-s", "1,1,1"), "--sigma-a"),

@@ -7,9 +7,12 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "cli/output.h"
+#include "cli/values.h"
 #include "opaline/error.h"
 
 namespace opaline::app {
@@ -66,6 +69,16 @@ std::string helpLine(const std::string& left, const std::string& help) {
                               ? "\n" + std::string(helpColumn, ' ')
                               : std::string(helpColumn - start.size(), ' ');
   return start + gap + wrapped(help, helpWidth - helpColumn, helpColumn) + "\n";
+}
+
+/// Whether a word can only be meant as numbers, be they none: "0.5,1,", "nan". A file may have such
+/// a name if it has letters.
+bool isForNumbers(const std::string& word) {
+  constexpr const char* digits = "0123456789.,-+e";
+  if (word.find_first_not_of(digits) == std::string::npos) return !word.empty();
+  const std::vector<std::string_view> parts = split(word, ',');
+  std::error_code none;
+  return std::all_of(parts.begin(), parts.end(), isNumber) && !std::filesystem::exists(word, none);
 }
 
 std::string spaced(std::string names) {
@@ -223,8 +236,7 @@ void CommandLine::fillLeftOut(std::vector<std::string>& arguments) const {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto found = standards_.find(arguments[i]);
     if (found == standards_.end()) continue;
-    const bool given = i + 1 < arguments.size() && !arguments[i + 1].empty() &&
-                       arguments[i + 1].find_first_not_of("0123456789.,-+e") == std::string::npos;
+    const bool given = i + 1 < arguments.size() && isForNumbers(arguments[i + 1]);
     if (!given) arguments[i] += "=" + found->second;
   }
 }

@@ -73,6 +73,10 @@ std::array<float, 3> toFloat(const std::array<double, 3>& triple) {
 
 }  // namespace
 
+bool isNumber(std::string_view text) {
+  return toNumber(text).has_value();
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {

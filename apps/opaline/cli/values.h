@@ -16,8 +16,11 @@ using options::Range;
 /// The parts between the separators, one more than there are separators.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// A finite number in the range. Like all readers here, throws UsageError that names the option,
-/// the reason and the range.
+/// Whether it is one as people write them, "nan" and "inf" among them.
+bool isNumber(std::string_view text);
+
+/// A finite number in the range. Throws UsageError that names the option, the reason and the range,
+/// as all readers here do.
 double readNumber(const Given& given, const Range& range);
 
 int readInteger(const Given& given, int least, int most);
