@@ -144,11 +144,13 @@ struct SceneDescription {
 OPALINE_API SceneDescription describe(const Scene& scene, SceneSource source,
                                       SceneFileSettings settings);
 
-/// Writes a .toml scene that loads as what is described. Every number comes back bit by bit, except
-/// for places whose distance to the origin is less than 1e-8 of that to the centre. Paths are
-/// relative to its folder unless they share only the root of the file system. Throws UsageError for
-/// a name that does not end in .toml; Error when it cannot be written, or for what no scene file
-/// can express, such as two objects of the same name and different media. Returns the file's path.
+/// Writes a .toml scene that loads as what is described: every number comes back bit by bit, but
+/// for places that are nearer than 1e-8 of the way to the centre to the origin of the coordinates.
+/// Options that nothing reads beside the others are left out.
+/// Paths are relative to its folder but where only the root of the file system is common. Throws
+/// UsageError for a name that does not end in .toml, and Error for what no scene file can say, as
+/// two objects of one name and different media, or when it cannot be written. Returns
+/// where it is.
 OPALINE_API std::filesystem::path writeScene(const Target& target,
                                              const SceneDescription& description);
 

@@ -124,7 +124,7 @@ class Outputs(Render):
         self.assertEqual((again["transport"], again["sum"]), ("boundary", "tree"))
         self.refused(2, "render", "scene.toml", "--transport", "boundary", says=("--transport boundary", "--sum tree"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\ntransport = "boundary"\n')
-        self.refused(2, "render", "scene.toml", "--sum", "pattern", says=("--transport boundary", "--sum tree"))
+        self.refused(2, "render", "scene.toml", "--sum", "pattern", says=("--sum pattern", "--transport dipole"))
 
     def test_the_solver_follows_the_tolerance_whatever_the_sum(self):
         few = ("--sum", "all", "--max-surfels", 1024, "--aov", "exitance")

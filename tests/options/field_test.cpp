@@ -164,6 +164,40 @@ TEST(Picture, ChosenOptionsAreAppliedAndOthersStay) {
   EXPECT_FALSE(chosen.has("bounces"));
 }
 
+TEST(Picture, AChosenOptionThatNothingReadsIsFound) {
+  const Spelling spelling = [](const Field<PictureSettings>& field, const Value& value) {
+    return std::string(field.key) + ":" + textOf(value);
+  };
+  const Chosen<PictureSettings> all = chosenIn(PictureSettings{});
+  RenderOptions options;
+  const auto unused = [&] {
+    std::vector<std::string_view> keys;
+    Chosen<PictureSettings> chosen = all;
+    while (const auto found = findUnused(chosen, options, spelling)) {
+      keys.push_back(found->key);
+      chosen.erase(found->key);
+    }
+    return keys;
+  };
+  EXPECT_THAT(unused(),
+              ElementsAre("near_rings", "near_spacing", "far_distance", "ambient_occlusion"));
+  options.sum = Sum::Pattern;
+  EXPECT_THAT(unused(), ElementsAre("transport", "sum", "max_surfels", "ambient_occlusion"));
+  chooseTransport(options);
+  EXPECT_EQ(options.transport, Transport::Dipole);
+  EXPECT_THAT(unused(), ElementsAre("tolerance", "max_surfels", "max_clusters", "bounces"));
+  options.ambientOcclusion = true;
+  EXPECT_THAT(unused(), ElementsAre("max_surfels", "bounces"));
+  options.sum = Sum::All;
+  options.ambientOcclusion = false;
+  options.specular = false;
+  EXPECT_THAT(unused(), ElementsAre("near_rings", "near_spacing", "far_distance", "tolerance",
+                                    "max_clusters", "bounces", "roughness"));
+  EXPECT_EQ(findUnused(all, options, spelling)->why, "shapes the pattern and needs sum:pattern");
+  options.sum = Sum::Tree;
+  EXPECT_FALSE(findUnused({}, options, spelling));
+}
+
 TEST(Picture, OlderNamesAreUnderstood) {
   EXPECT_EQ(findField<PictureSettings>("max_sources"), findField<PictureSettings>("max_surfels"));
   EXPECT_EQ(findField<PictureSettings>("boundary_surfels"),

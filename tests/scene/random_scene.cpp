@@ -54,7 +54,10 @@ SceneFileSettings randomSettings(Numbers& random) {
   render.antialias = 1 << random.below(4);
   picture.time.seconds = random.within(0, 1e6);
   picture.tone = {random.real(-32, 32), ToneCurve::None, Rgb{random.real(0, 1), 0, 1}};
-  return {options::chosenIn(picture), "a \"GPU\"\t№ 1", "none"};
+  auto chosen = options::chosenIn(picture);
+  const options::Spelling none = [](const auto&, const options::Value&) { return std::string(); };
+  while (const auto unused = options::findUnused(chosen, render, none)) chosen.erase(unused->key);
+  return {chosen, "a \"GPU\"\t№ 1", "none"};
 }
 
 }  // namespace

@@ -31,8 +31,18 @@ std::string standardOf(const options::Field<Owner>& field) {
   return value ? options::textOf(*value) : "";
 }
 
-/// Takes what is typed for an option of the table, under its own name and help unless others are
-/// given. A flag that is on by default is turned off by --no-KEY.
+/// What is typed to give an option of the table a value that is not its default: "--sum pattern",
+/// "--no-specular".
+template <typename Owner>
+std::string asTyped(const options::Field<Owner>& field, const options::Value& value) {
+  const std::string option = optionOf(field.key);
+  const bool* const flag = std::get_if<bool>(&value);
+  if (flag == nullptr) return option + " " + options::textOf(value);
+  return *flag ? option : "--no-" + option.substr(2);
+}
+
+/// Takes what is typed for an option of the table, under its own name and with its own help unless
+/// others are given; what is on by itself is turned off, by --no-KEY.
 template <typename Owner>
 void addField(CommandLine& line, const options::Field<Owner>& field, options::Chosen<Owner>& chosen,
               std::string option = {}, const std::optional<std::string>& help = {}) {

@@ -35,6 +35,14 @@ void choosePaper(Chosen& chosen, std::string_view key, std::string_view paper) {
   chosen.set(options::fieldOf<options::PictureSettings>(key), std::string(paper));
 }
 
+/// Throws UsageError for what was typed though nothing reads it.
+void refuseUnused(const Chosen& chosen, const RenderOptions& options) {
+  const auto unused = options::findUnused(chosen, options, asTyped);
+  if (!unused) return;
+  const auto& field = options::fieldOf<options::PictureSettings>(unused->key);
+  throw UsageError(fmt::format("{} {}", asTyped(field, *chosen.find(unused->key)), unused->why));
+}
+
 }  // namespace
 
 const Choices<Transport>& halfSpaceTransports() {
@@ -90,40 +98,9 @@ void MethodOptions::applyTo(RenderOptions& options, const SceneFileSettings& set
     choosePaper(chosen, "site", options::nameOf(Site::Fragment));
   }
   options::apply(chosen, options);
-  // --sum pattern alone implies the paper's transport.
-  if (options.sum == Sum::Pattern && !settings.picture.has("transport") &&
-      !chosen.has("transport")) {
-    options.transport = Transport::Dipole;
-  }
-  if (options.sum != Sum::Pattern &&
-      (chosen.has("near_rings") || chosen.has("near_spacing") || chosen.has("far_distance"))) {
-    throw UsageError(
-        "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
-  }
-  if (options.sum != Sum::Tree && options.transport != Transport::Boundary &&
-      chosen.has("tolerance")) {
-    throw UsageError(
-        "--tolerance is the allowed error of the tree and of the solver and needs --sum tree or "
-        "--transport boundary");
-  }
-  if (options.sum == Sum::Pattern && chosen.has("max_surfels")) {
-    throw UsageError("--max-surfels limits surfels and needs --sum tree or --sum all");
-  }
-  if (options.transport != Transport::Boundary && chosen.has("bounces")) {
-    throw UsageError("--bounces needs --transport boundary");
-  }
-  if (options.transport != Transport::Boundary && !options.ambientOcclusion &&
-      chosen.has("max_clusters")) {
-    throw UsageError("--max-clusters needs --transport boundary or --ambient-occlusion");
-  }
-  if (options.transport == Transport::Boundary && chosen.has("ambient_occlusion")) {
-    throw UsageError(
-        "--ambient-occlusion is for the other transports and --method paper: --transport boundary "
-        "always hides the sky");
-  }
-  if (options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
-    throw UsageError("--transport boundary works with surfels and needs --sum tree or --sum all");
-  }
+  if (!settings.picture.has("transport") && !chosen.has("transport"))
+    options::chooseTransport(options);
+  refuseUnused(chosen, options);
 }
 
 void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
@@ -155,10 +132,8 @@ bool LookOptions::asksForTone() const {
 }
 
 void LookOptions::applyTo(RenderOptions& options) const {
-  if (chosen_.has("specular") && chosen_.has("roughness")) {
-    throw UsageError("--roughness and --no-specular exclude each other");
-  }
   options::apply(chosen_, options);
+  refuseUnused(chosen_, options);
 }
 
 ToneOptions LookOptions::tone(const SceneFileSettings& settings, const Scene& scene) const {

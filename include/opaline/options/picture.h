@@ -47,7 +47,23 @@ OPALINE_API const std::vector<std::string_view>& namesOf<ToneCurve>();
 template <>
 OPALINE_API const std::vector<std::string_view>& namesOf<Aov>();
 
-/// Sets what was chosen among RenderOptions.
+/// How an interface says that an option has a value, as it is typed or stands in a file.
+using Spelling = std::string (*)(const Field<PictureSettings>& field, const Value& value);
+
+/// An option that was chosen, but that nothing reads beside the others.
+struct Unused {
+  std::string_view key;
+  std::string why;  ///< goes on after the option's name: "limits surfels and needs" this or that
+};
+
+/// The first of the chosen options that is unused in `options`, which have all of them and others.
+OPALINE_API std::optional<Unused> findUnused(const Chosen<PictureSettings>& chosen,
+                                             const RenderOptions& options, Spelling spelling);
+
+/// The transport for a sum where nobody chose one: the pattern alone means the paper's.
+OPALINE_API void chooseTransport(RenderOptions& options);
+
+/// As chosen, of what the library renders.
 OPALINE_API void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
 
 /// Why no picture can be made with these options, as a sentence; empty if one can.

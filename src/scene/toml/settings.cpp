@@ -9,6 +9,27 @@
 
 namespace opaline::scene {
 
+namespace {
+
+using options::PictureSettings;
+
+std::string spelled(const options::Field<PictureSettings>& field, const options::Value& value) {
+  const bool quoted = std::holds_alternative<std::string>(value);
+  return fmt::format("{0} = {2}{1}{2}", field.key, options::textOf(value), quoted ? "\"" : "");
+}
+
+}  // namespace
+
+std::optional<options::Unused> unusedIn(options::Chosen<PictureSettings> said) {
+  RenderOptions options;
+  options::apply(said, options);
+  if (!said.has("transport")) options::chooseTransport(options);
+  for (const auto& field : options::fieldsOf<PictureSettings>())
+    if (const options::Value* value = said.find(field.key); value && field.get({}) == *value)
+      said.erase(field.key);
+  return options::findUnused(said, options, spelled);
+}
+
 SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
   SceneFileSettings settings;
   const auto table = root.table("render");
@@ -16,7 +37,7 @@ SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
   std::vector<std::string_view> known;
   for (const auto& field : options::fieldsOf<options::NamedSettings>()) known.push_back(field.key);
   std::vector<std::string_view> former;
-  for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
+  for (const auto& field : options::fieldsOf<PictureSettings>()) {
     known.push_back(field.key);
     if (field.formerKey.empty()) continue;
     former.push_back(field.formerKey);
@@ -26,7 +47,11 @@ SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
     }
   }
   table->requireKeys(known, former);
-  settings.picture = chosenIn<options::PictureSettings>(*table);
+  settings.picture = chosenIn<PictureSettings>(*table);
+  if (const auto unused = unusedIn(settings.picture)) {
+    const auto& field = options::fieldOf<PictureSettings>(unused->key);
+    table->fail(table->has(field.key) ? field.key : field.formerKey, unused->why);
+  }
   chosenIn<options::NamedSettings>(*table).applyTo(settings.named);
   return settings;
 }

@@ -16,6 +16,7 @@
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/text.h"
+#include "scene/toml/settings.h"
 #include "scene/toml/spelling.h"
 #include "scene/vector_math.h"
 
@@ -344,7 +345,9 @@ void addDeformers(const SceneDescription& scene, Text& to) {
 void addSettings(const SceneFileSettings& settings, Text& to) {
   if (settings == SceneFileSettings{}) return;
   to.header("[render]");
-  to.fields(settings.picture);
+  auto picture = settings.picture;
+  while (const auto unused = unusedIn(picture)) picture.erase(unused->key);
+  to.fields(picture);
   to.fields(options::chosenIn(settings.named));
 }
 

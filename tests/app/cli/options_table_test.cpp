@@ -64,6 +64,13 @@ std::string nameOf(const PictureField& field) {
   return optionOf(field.key);
 }
 
+/// What an option needs beside it, by key.
+std::vector<std::pair<std::string, std::string>> neededBeside(const PictureField& field) {
+  if (field.key.starts_with("near_") || field.key == "far_distance") return {{"sum", "pattern"}};
+  if (field.key == "ambient_occlusion") return {{"transport", "dipole"}};
+  return {};
+}
+
 /// What the command line makes of it, where `text` is typed after the option.
 PictureSettings typed(const PictureField& field, const std::string& text) {
   PictureOptions picture;
@@ -75,11 +82,8 @@ PictureSettings typed(const PictureField& field, const std::string& text) {
   method.addTo(line);
   std::vector<std::string> arguments{nameOf(field)};
   if (!text.empty()) arguments.push_back(text);
-  // What shapes a method needs that method.
-  const bool ofPattern = field.key.starts_with("near_") || field.key == "far_distance";
-  if (ofPattern) arguments.insert(arguments.end(), {"--sum", "pattern"});
-  if (field.key == "ambient_occlusion")
-    arguments.insert(arguments.end(), {"--transport", "dipole"});
+  for (const auto& [key, value] : neededBeside(field))
+    arguments.insert(arguments.end(), {"--" + key, value});
   EXPECT_TRUE(line.parse(arguments));
   PictureSettings settings;
   method.applyTo(settings.render, {});
@@ -129,6 +133,8 @@ TEST_F(OptionsTable, SceneFilesKeepEach) {
     LoadedScene loaded = load("");
     EXPECT_TRUE(loaded.settings.picture.empty());
     loaded.settings.picture.set(field, another(field));
+    for (const auto& [key, value] : neededBeside(field))
+      loaded.settings.picture.set(options::fieldOf<PictureSettings>(key), value);
     const std::filesystem::path file = folder_ / "written.toml";
     writeScene({file, Existing::Replace}, describe(loaded.scene, loaded.source, loaded.settings));
     EXPECT_EQ(loadSceneFile(file, {}).settings, loaded.settings) << field.key;

@@ -68,15 +68,11 @@ sum = "all"
 site = "vertex"
 tolerance = 0.02
 max_surfels = 5000
-bounces = 5
 max_clusters = 6000
-near_rings = 3
-near_spacing = 0.5
-far_distance = 20
+ambient_occlusion = true
 dsm_size = 256
 shadow_size = 2048
 specular = false
-roughness = 0.5
 antialias = 8
 exposure = -1.5
 tone = "none"
@@ -122,20 +118,56 @@ device = "llvmpipe"
   EXPECT_EQ(render.site, Site::Vertex);
   EXPECT_EQ(render.tolerance, 0.02F);
   EXPECT_EQ(render.maxSurfels, 5000);
-  EXPECT_EQ(render.bounces, 5);
   EXPECT_EQ(render.maxClusters, 6000);
-  EXPECT_EQ(render.pattern.nearRings, 3);
-  EXPECT_EQ(render.pattern.nearSpacing, 0.5F);
-  EXPECT_EQ(render.pattern.farDistance, 20.0F);
+  EXPECT_EQ(render.ambientOcclusion, true);
   EXPECT_EQ(render.dsmSize, 256);
   EXPECT_EQ(render.shadowSize, 2048);
   EXPECT_EQ(render.specular, false);
-  EXPECT_EQ(render.roughness, 0.5F);
   EXPECT_EQ(render.antialias, 8);
   EXPECT_EQ(tone.exposureStops, -1.5F);
   EXPECT_EQ(tone.curve, ToneCurve::None);
   EXPECT_EQ(tone.background, (Rgb{0, 0.25F, 1}));
   EXPECT_EQ(loaded.settings.named.device, "llvmpipe");
+}
+
+TEST_F(Toml, WhatShapesAMethodStandsBesideIt) {
+  const auto settings = [&](const std::string& said) {
+    options::PictureSettings found;
+    load(model + "[render]\n" + said).settings.picture.applyTo(found);
+    return found.render;
+  };
+  const RenderOptions boundary =
+      settings("bounces = 5\nroughness = 0.5\nsum = 'all'\ntolerance = 1");
+  EXPECT_EQ(boundary.bounces, 5);
+  EXPECT_EQ(boundary.roughness, 0.5F);
+  EXPECT_EQ(boundary.tolerance, 1);
+  const PatternOptions pattern =
+      settings("sum = 'pattern'\nnear_rings = 3\nnear_spacing = 0.5\nfar_distance = 20").pattern;
+  EXPECT_EQ(pattern.nearRings, 3);
+  EXPECT_EQ(pattern.nearSpacing, 0.5F);
+  EXPECT_EQ(pattern.farDistance, 20);
+}
+
+TEST_F(Toml, WhatNothingReadsIsRefusedUnlessItIsTheDefault) {
+  const auto with = [&](const std::string& said) { return errorOf(model + "[render]\n" + said); };
+  EXPECT_THAT(
+      with("transport = 'dipole'\nbounces = 3"),
+      HasSubstr("line 5: 'bounces' in [render] counts how often light enters again and needs "
+                "transport = \"boundary\""));
+  EXPECT_THAT(with("transport = 'boundary'\nsum = 'pattern'"),
+              HasSubstr("line 5: 'sum' in [render] has no surfels for boundary transport and needs "
+                        "transport = \"dipole\" or transport = \"better-dipole\""));
+  EXPECT_THAT(with("specular = false\nroughness = 0.3"),
+              HasSubstr("'roughness' in [render] is of the reflection, which specular = false"));
+  EXPECT_THAT(with("near_rings = 3"), HasSubstr("needs sum = \"pattern\""));
+  EXPECT_THAT(with("ambient_occlusion = true"), HasSubstr("'ambient_occlusion' in [render] hides"));
+  EXPECT_THAT(with("sum = 'all'\ntransport = 'dipole'\ntolerance = 1"),
+              HasSubstr("'tolerance' in [render]"));
+  EXPECT_THAT(with("sum = 'pattern'\nboundary_surfels = 100"),
+              HasSubstr("line 5: 'boundary_surfels' in [render] limits clusters"));
+  load(model +
+       "[render]\ntransport = 'dipole'\nbounces = 2\nspecular = false\nroughness = 0.25\n"
+       "near_rings = 4\nambient_occlusion = false");
 }
 
 TEST_F(Toml, DeformersAreAppliedInTheirOrder) {

@@ -71,6 +71,21 @@ TEST_F(SceneWriter, EverythingComesBackBitByBit) {
   }
 }
 
+TEST_F(SceneWriter, OptionsThatNothingReadsAreLeftOut) {
+  LoadedScene loaded = random(1);
+  options::PictureSettings picture;
+  picture.render.transport = Transport::Dipole;
+  picture.render.bounces = 5;
+  picture.render.specular = false;
+  picture.render.roughness = 0.5F;
+  picture.render.tolerance = 0.5F;
+  loaded.settings.picture = options::chosenIn(picture);
+  written(loaded);
+  loaded.settings.picture.erase("bounces");
+  loaded.settings.picture.erase("roughness");
+  EXPECT_EQ(back().settings, loaded.settings);
+}
+
 TEST_F(SceneWriter, AGroundComesBackWithItsColourAndHeight) {
   LoadedScene loaded = random(5);
   loaded.scene.objects.push_back(
@@ -203,6 +218,8 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.source.materials["wax"].medium = "marble";
   loaded.source.colorModel = ColorModel::Khr;
   loaded.scene.camera.orthographicHeightMm = 40.0F;
+  loaded.settings.picture = options::chosenIn(
+      options::PictureSettings{.render = {}, .time = {}, .tone = {.background = Rgb{}}});
   loaded.scene.objects[2].opaque = OpaqueMaterial{};
   loaded.source.materialOfObject[loaded.scene.objects[2].name] = "clay";
   loaded.source.numbersOfObject[loaded.scene.objects[2].name].opaque =
