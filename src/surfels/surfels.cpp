@@ -88,7 +88,7 @@ void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pie
     area += static_cast<double>(piece.fraction) * areaMm2(surface, piece.triangle);
   }
   const double surfels = static_cast<double>(items.size()) / piecesPerSurfel;
-  const double sizeMm = std::max(usualClusterMm(area), std::sqrt(area / surfels));
+  const double sizeMm = std::max(usualClusterMm(area), 2 * std::sqrt(area / surfels));
   for (TreeItem& item : items) {
     const std::array<double, 3> cross = crossOf(surface, pieces[item.index].triangle);
     const double length = std::hypot(cross[0], cross[1], cross[2]);

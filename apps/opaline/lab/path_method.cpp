@@ -152,7 +152,8 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
   resume(tracer);
   const rf::CameraRays rays(geometry.scene().camera, picture.width, picture.height);
   const rf::BlockError error(tracer, geometry, rays, picture.width, picture.height);
-  const double reached = run(tracer, error, quiet);
+  // Other variables show shape or what arrives, and need no particles.
+  const double reached = rf::showsExitance(picture.aov) ? run(tracer, error, quiet) : 0;
 
   report["particles"] = tracer.particles();
   report["block_error"] = reached;

@@ -26,7 +26,7 @@ layout(push_constant) uniform Push {
 
 // Nothing enters an open body.
 float areaOf(Cluster cluster) {
-  return cluster.second.w * pi * cluster.normal.w * cluster.normal.w;
+  return cluster.second.w > 0.0 ? pi * cluster.normal.w * cluster.normal.w : 0.0;
 }
 
 // Each bounce loses what gets out of the scene.

@@ -8,6 +8,7 @@
 #define BINDING_RAYS 3
 #define BINDING_SKY_RADIANCE 8
 #include "lib/boundary.glsl"
+#include "lib/cluster_weight.glsl"
 #include "lib/escape.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
@@ -116,7 +117,11 @@ struct SkySum {
   float slant;     // free light times its cosine inside
   float nearness;  // one over the distance to what rays meet, 1/mm
   float meets;
+  float closeEven;  // even light that is hidden by something within closeInEdges
 };
+
+// How far interpolation between clusters reaches, rounded up.
+const float closeInEdges = 3.0;
 
 // Sums every `lanes`-th ray of the cluster, from `lane` on.
 SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
@@ -128,7 +133,7 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   uint toBright = raysToBright();
   uint aboutNormal = raysOutwards - toBright;
-  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   for (uint k = lane; k < raysOutwards; k += lanes) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
     if (range.kind == lining) continue;  // within a body
@@ -159,6 +164,7 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
     } else {
       sum.nearness += 1.0 / max(hit.distance, least);
       sum.meets += 1.0;
+      if (hit.distance < closeInEdges * edgeOf(cluster)) sum.closeEven += entering;
       ObjectData met = objects[objectOfPiece(hit.piece)];
       MediumData other = mediumAt(met, place.middle + hit.distance * direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
@@ -178,8 +184,8 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
 SkySum sumOfLanes(SkySum part) {
   vec4 free = sumOfLanes(vec4(part.free, part.freeEven));
   vec4 all = sumOfLanes(vec4(part.all, part.allEven));
-  vec4 others = sumOfLanes(vec4(part.slant, part.nearness, part.meets, 0.0));
-  return SkySum(free.rgb, all.rgb, free.w, all.w, others.x, others.y, others.z);
+  vec4 others = sumOfLanes(vec4(part.slant, part.nearness, part.meets, part.closeEven));
+  return SkySum(free.rgb, all.rgb, free.w, all.w, others.x, others.y, others.z, others.w);
 }
 
 RayHit otherSide(vec3 place, vec3 direction, Cluster cluster, ObjectData body) {
@@ -216,6 +222,17 @@ vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body
   return sum;
 }
 
+// A covered cluster, as between a poster and its wall, is not seen, and says nothing of the layer above it
+// that faces the same way. It counts only where there is no other.
+const float leastOpenness = 1e-3;
+
+// Almost 0 for a cluster that sees next to nothing of the sky because something lies very close.
+float opennessOf(SkySum sum) {
+  float close = sum.closeEven / max(sum.allEven, 1e-30);
+  float free = sum.freeEven / max(sum.allEven, 1e-30);
+  return mix(1.0, leastOpenness, smoothstep(0.6, 0.9, close) * (1.0 - smoothstep(0.02, 0.1, free)));
+}
+
 // Writes what is then known of a cluster. Without rays it sees all of the sky, and from within a body nothing.
 void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofThickness, SkySum sum) {
   ObjectData body = objects[range.object];
@@ -226,13 +243,15 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofTh
   // Any share is right in a channel that is dark.
   vec3 share = mix(vec3(evenShare), overOr0(sum.free, sum.all), greaterThan(sum.all, vec3(1e-30)));
   if (!looks) share = vec3(raysOutwards > 0u ? 0.0 : 1.0);
-  skyShares[i] = vec4(share, sum.all.r + sum.all.g + sum.all.b);
+  float openness = looks ? opennessOf(sum) : 1.0;
+  skyShares[i] = vec4(share, openness * (sum.all.r + sum.all.g + sum.all.b));
   // For an opaque body, the harmonic mean distance to what is around.
   float room = looks ? (sum.meets > 0.0 ? sum.meets / sum.nearness : 3e38) : 0.0;
   clusters[i].start.w = range.kind == opaqueBody ? room : thickness;
   clusters[i].facet.w = light > 1e-30 ? sum.slant / light : mean;
   float edge = sqrt(cluster.centroidArea.w);
-  clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), range.kind != openBody ? 1.0 : 0.0);
+  float counts = range.kind == openBody ? 0.0 : range.kind == opaqueBody ? openness : 1.0;
+  clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), counts);
   if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), edge, cluster.escape.w, ofThickness);
 }
 
@@ -243,7 +262,7 @@ void main() {
   Cluster cluster = clusters[min(i, clusterCount - 1u)];
   ClusterRange range = ranges[min(i, clusterCount - 1u)];
   ObjectData body = objects[range.object];
-  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
+  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   if (isThere) sum = lookAround(i, lane, cluster, range);
   sum = sumOfLanes(sum);
   vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);

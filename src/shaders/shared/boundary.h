@@ -71,8 +71,8 @@ struct Cluster {
   vec4 along;   // unit, in the surface there, moving with it; w: 1, or -1 where its triangles are
                 // wound the other way, because the body is mirrored or this is its back
   vec4 facet;   // unit, outwards there; w: mean cosine inside the body of sky light that enters
-  vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 in an
-                // open body
+  vec4 second;  // rgb: part of the light that is followed to its second collision; w: how much
+                // the cluster counts among those around a place; 0 in an open body
   vec4 escape;  // rgb: A of a plane over that of the cluster (lib/escape.glsl); w: mean curvature,
                 // 1/mm, above 0 where the body is convex
 };
