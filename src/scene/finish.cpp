@@ -81,14 +81,16 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
                         nameIn(name, object), lost));
 }
 
-void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene) {
+/// Counts in `hidden` what the object's own material has and the medium does not show.
+void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene,
+                     std::vector<NotShown>& hidden) {
   Object& object = scene.objects[index];
   std::vector<NotShown>& notShown = scene.notShown;
   forgetMaterial(scene.changes, index);
-  if (object.opaque) addNotShown(notShown, partsOf(*object.opaque), object.opaque->name);
+  if (object.opaque) addNotShown(hidden, partsOf(*object.opaque), object.opaque->name);
   if (object.opaque && !object.mesh.colors.empty())
-    addNotShown(notShown, "vertex colours", object.name);
-  if (object.paint) addNotShown(notShown, "colour textures of media", object.name);
+    addNotShown(hidden, "vertex colours", object.name);
+  if (object.paint) addNotShown(hidden, "colour textures of media", object.name);
   putMedium(medium, object);
 }
 
@@ -186,11 +188,12 @@ void requireSensible(const LoadOptions& options) {
   for (const MediumOfObject& of : options.media) require(of.medium);
 }
 
+  std::vector<NotShown> hidden;
 void setMedia(const LoadOptions& options, Scene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& opaque = scene.objects[i].opaque;
     const bool metal = opaque && isMetal(*opaque);
-    if (options.medium && !metal) makeTranslucent(*options.medium, i, scene);
+    if (options.medium && !metal) makeTranslucent(*options.medium, i, scene, hidden);
   }
   std::vector<std::string_view> names;
   for (const Object& object : scene.objects) names.emplace_back(object.name);
@@ -200,8 +203,12 @@ void setMedia(const LoadOptions& options, Scene& scene) {
                                    cleanText(name, 100), nearest(name, names).value_or("")));
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      if (scene.objects[i].name == name) makeTranslucent(medium, i, scene);
+      if (scene.objects[i].name == name) makeTranslucent(medium, i, scene, hidden);
     }
+  if (hidden.empty()) return;
+  note(options.log,
+       fmt::format("not shown where a medium replaces a material: {}", textOf(hidden)));
+  addNotShown(scene.notShown, hidden);
   }
 }
 

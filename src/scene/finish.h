@@ -32,8 +32,8 @@ constexpr double longestDiagonalMm = 1e9;
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
                const LoadOptions& options);
 
-/// Sets the media that the options name: first for all objects that are not metal, then for single
-/// ones. Throws UsageError for an object that does not exist.
+/// The media that the options name: of all objects that are no metal, then of single ones. Throws
+/// UsageError for an object that there is not. Notes what their objects had and do not show.
 void setMedia(const LoadOptions& options, Scene& scene);
 
 /// Throws UsageError for options that make no sense.

@@ -84,6 +84,22 @@ class Info(ProgramTest):
         self.assertEqual(run.json()["not_shown"], [])
         self.assertNotIn("not shown", run.err)
 
+    def test_what_a_medium_hides(self):
+        self.write("a.mtl", "newmtl red\nKd 0.5 0 0\n")
+        self.write("cube.obj", "mtllib a.mtl\nusemtl red\n" + CUBE_OBJ)
+        self.assertNotIn("not shown", self.succeed("info", "cube.obj").err)
+        run = self.succeed("info", "cube.obj", "--medium", "skin1", "--json")
+        self.assertEqual(run.json()["not_shown"], [{"what": "base colours", "count": 1, "names": ["red"]}])
+        said = "note: not shown where a medium replaces a material: base colours (1: red)"
+        self.assertIn(said, self.succeed("info", "cube.obj", "--medium", "skin1").err)
+        self.assertIn(said, self.succeed("render", "cube.obj", "--medium", "skin1@red", "--size", "8x8", "-o", "a.png").err)
+
+    def test_a_picture_that_is_missing(self):
+        self.write("a.mtl", "newmtl red\nmap_Kd none.png\n")
+        self.write("cube.obj", "mtllib a.mtl\nusemtl red\n" + CUBE_OBJ)
+        self.assertEqual(self.succeed("info", "cube.obj", "--json").json()["not_shown"],
+                         [{"what": "textures that cannot be read", "count": 1, "names": ["none.png"]}])
+
     def test_the_built_in_scenes(self):
         bear = self.succeed("info", "--json").json()
         self.assertTrue(bear["closed"])
