@@ -32,6 +32,9 @@ class GltfMaterials {
   /// The materials that have been asked for and are opaque.
   std::set<int> opaque() const;
 
+  /// Of all that have been asked for.
+  const std::vector<NotShown>& texturesNotShown() const { return textures_.notShown(); }
+
  private:
   OpaqueMaterial read(const tinygltf::Material& of);
   std::optional<TranslucentSurface> readSurface(const tinygltf::Material& of);

@@ -11,6 +11,7 @@
 #include "opaline/file.h"
 #include "scene/gltf/json.h"
 #include "scene/gltf/prescan.h"
+#include "scene/not_shown.h"
 #include "scene/own_folder.h"
 #include "scene/text.h"
 
@@ -98,7 +99,7 @@ std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(const tinygltf::Text
   std::string reason = "a texture has no picture that can be read";
   for (const auto& [extension, value] : texture.extensions)
     reason += fmt::format(", only one of {}", cleanText(extension, 60));
-  noteLeftOut(reason);
+  leaveOut(texture.name, reason);
   return nullptr;
 }
 
@@ -114,21 +115,27 @@ std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {
       throw Error(fmt::format("its pictures have more than {} million pixels", mostPixels >> 20U));
     pixels = std::make_shared<const TexturePixels>(std::move(found));
   } catch (const Error& error) {
-    noteLeftOut(error.what());
+    leaveOut(nameOf(static_cast<std::size_t>(image)), error.what());
   }
   return pixels;
 }
 
-void GltfTextures::noteLeftOut(const std::string& reason) {
+void GltfTextures::leaveOut(std::string_view name, const std::string& reason) {
   if (!leftOut_.insert(reason).second) return;
+  addNotShown(notShown_, "textures that cannot be read", name);
   note(input_.log,
        fmt::format("{}: a texture is left out: {}", cleanText(input_.file.string(), 1000), reason));
 }
 
-TexturePixels GltfTextures::read(std::size_t image) const {
+std::string GltfTextures::nameOf(std::size_t image) const {
   const tinygltf::Image& of = model_.images[image];
   const std::string named = !of.uri.empty() && !of.uri.starts_with("data:") ? of.uri : of.name;
-  const std::string name = named.empty() ? fmt::format("image {}", image) : cleanText(named, 100);
+  return named.empty() ? fmt::format("image {}", image) : cleanText(named, 100);
+}
+
+TexturePixels GltfTextures::read(std::size_t image) const {
+  const tinygltf::Image& of = model_.images[image];
+  const std::string name = nameOf(image);
   TexturePixels pixels;
   if (!of.image.empty()) {
     pixels = core::readTexture(name, std::as_bytes(std::span(of.image)));

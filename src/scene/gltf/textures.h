@@ -5,8 +5,11 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "opaline/material.h"
+#include "opaline/scene.h"
 #include "scene/gltf/file.h"
 
 namespace opaline::scene {
@@ -23,16 +26,21 @@ class GltfTextures {
   /// The same for an extension, whose texture is still JSON.
   std::optional<Texture> texture(const tinygltf::Value& info);
 
+  /// Those whose picture cannot be read, of all that have been asked for.
+  const std::vector<NotShown>& notShown() const { return notShown_; }
+
  private:
   std::shared_ptr<const TexturePixels> pixelsOf(const tinygltf::Texture& texture);
   std::shared_ptr<const TexturePixels> pixelsOf(int image);
-  void noteLeftOut(const std::string& reason);
+  void leaveOut(std::string_view name, const std::string& reason);
+  std::string nameOf(std::size_t image) const;
   TexturePixels read(std::size_t image) const;
 
   const Input& input_;
   const tinygltf::Model& model_;
-  std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: could not be read
-  std::set<std::string> leftOut_;                               ///< reasons already logged
+  std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: cannot be read
+  std::set<std::string> leftOut_;                               ///< why, said once each
+  std::vector<NotShown> notShown_;
   std::size_t pixelsRead_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "core/texture_file.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "scene/not_shown.h"
 #include "scene/own_folder.h"
 #include "scene/text.h"
 
@@ -22,7 +23,7 @@ namespace {
 
 class MtlReader {
  public:
-  explicit MtlReader(const Input& obj) : obj_(obj) {}
+  MtlReader(const Input& obj, std::vector<NotShown>& notShown) : obj_(obj), notShown_(notShown) {}
 
   void read(const std::string& file) {
     constexpr std::size_t longest = 64U << 20U;
@@ -89,6 +90,7 @@ class MtlReader {
       pixels = std::make_shared<const TexturePixels>(
           core::readTexture(file, readFile(file, longestFileBytes)));
     } catch (const Error& error) {
+      addNotShown(notShown_, "textures that cannot be read", name);
       note(obj_.log, fmt::format("{}: a texture is left out: {}",
                                  cleanText(obj_.file.string(), 1000), error.what()));
     }
@@ -96,15 +98,16 @@ class MtlReader {
   }
 
   const Input& obj_;
+  std::vector<NotShown>& notShown_;
   std::map<std::string, OpaqueMaterial> materials_;
   std::map<std::string, std::shared_ptr<const TexturePixels>> pixels_;  // null: could not be read
 };
 
 }  // namespace
 
-std::map<std::string, OpaqueMaterial> readMtl(const Input& obj,
-                                              std::span<const std::string> files) {
-  MtlReader reader(obj);
+std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
+                                              std::vector<NotShown>& notShown) {
+  MtlReader reader(obj, notShown);
   for (const std::string& file : files) {
     try {
       reader.read(file);

@@ -3,14 +3,18 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "opaline/material.h"
+#include "opaline/scene.h"
 #include "scene/formats.h"
 
 namespace opaline::scene {
 
 /// The materials of an OBJ file's .mtl files, by name: Kd, Ks, Ns, Ke, d, map_Kd, map_Ke and norm,
 /// and Pr and Pm where a program wrote them. Files that cannot be read are left out, with a note.
-std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files);
+/// So are pictures, which are also counted in `notShown`.
+std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
+                                              std::vector<NotShown>& notShown);
 
 }  // namespace opaline::scene

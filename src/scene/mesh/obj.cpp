@@ -65,9 +65,9 @@ struct ObjReader {
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
   std::size_t current = 0;
-  std::string part{};                    ///< current part, named by `o` or `g`
-  std::set<std::string> parts{};         ///< that have faces
-  std::vector<std::size_t> endOfFace{};  ///< one past its last corner
+  std::string part{};  ///< of `o` or `g`, that faces belong to; may be empty
+  std::map<std::string, std::set<std::size_t>> groupsOfPart{};  ///< of parts that have faces
+  std::vector<std::size_t> endOfFace{};                         ///< among the corners
 
   void use(const std::string& material) {
     const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
@@ -94,7 +94,7 @@ struct ObjReader {
     }
     groups[current].sizes.push_back(size);
     endOfFace.push_back(corners.size());
-    if (!part.empty()) parts.insert(part);
+    groupsOfPart[part].insert(current);
   }
 
   /// To be called at the end, since a face may precede its vertices.
@@ -180,6 +180,31 @@ void smoothen(std::span<const ObjSmoothing> smoothing, ObjReader& reader) {
 
 using Materials = std::map<std::string, OpaqueMaterial>;
 
+/// The name of the medium or material whose faces make one object with those of the group. All that
+/// are neither become marble and have none.
+std::string objectOf(const Group& group, const Materials& materials) {
+  if (const auto medium = findMedium(group.name)) return medium->name;
+  return materials.contains(group.name) ? group.name : "";
+}
+
+/// Parts whose faces are not exactly those of one object.
+std::vector<std::string> partsWithoutObject(const ObjReader& reader, const Materials& materials) {
+  std::map<std::string, std::set<std::string>> objectsOfPart;
+  std::map<std::string, std::size_t> partsOfObject;
+  for (const auto& [part, groups] : reader.groupsOfPart) {
+    std::set<std::string>& objects = objectsOfPart[part];
+    for (const std::size_t group : groups)
+      objects.insert(objectOf(reader.groups[group], materials));
+    for (const std::string& object : objects) ++partsOfObject[object];
+  }
+  std::vector<std::string> result;
+  for (const auto& [part, objects] : objectsOfPart) {
+    const bool isObject = objects.size() == 1 && partsOfObject[*objects.begin()] == 1;
+    if (!part.empty() && !isObject) result.push_back(part);
+  }
+  return result;
+}
+
 std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras,
                                  const Materials& materials) {
   std::vector<NotShown> result;
@@ -194,8 +219,9 @@ std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extra
       addNotShown(result, "material files", file);
     }
   }
-  if (reader.parts.size() > 1) {
-    for (const std::string& part : reader.parts) {
+  const std::size_t parts = reader.groupsOfPart.size() - reader.groupsOfPart.count("");
+  if (parts > 1) {
+    for (const std::string& part : partsWithoutObject(reader, materials)) {
       addNotShown(result, "groups as objects of their own", part);
     }
   }
@@ -299,17 +325,14 @@ RawScene loadObj(const Input& input) {
   smoothen(extras.smoothing, reader);
 
   const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
-  const Materials materials = readMtl(input, files);
-  // Groups that neither are named after a medium nor have a material all become marble: one object.
+  RawScene scene;
+  const Materials materials = readMtl(input, files, scene.notShown);
+  // Those that are neither a medium nor in a material file all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {
-    if (group.sizes.empty()) continue;
-    const auto medium = findMedium(group.name);
-    const std::string own = materials.contains(group.name) ? group.name : "";
-    byMedium[medium ? medium->name : own].push_back(&group);
+    if (!group.sizes.empty()) byMedium[objectOf(group, materials)].push_back(&group);
   }
   if (byMedium.empty()) failObj(input, "it has no faces");
-  RawScene scene;
   for (const auto& [medium, groups] : byMedium) {
     RawObject object;
     object.name = medium.empty() ? cleanText(input.file.stem().string()) : cleanText(medium);
@@ -321,7 +344,7 @@ RawScene loadObj(const Input& input) {
   }
   addUnused(reader, scene.objects[0]);
   for (RawObject& object : scene.objects) startProvenance(object.mesh);
-  scene.notShown = notShownOf(reader, extras, materials);
+  addNotShown(scene.notShown, notShownOf(reader, extras, materials));
   return scene;
 }
 

@@ -348,7 +348,8 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
   EXPECT_EQ(said,
             "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 1 skin1\n"
             "alpha masks 1 skin1\nKHR_materials_sheen 1 skin1\n"
-            "extensions 1 ACME_fog\ncameras after the first 1 b\nlantern lights 1 lamp\n");
+            "extensions 1 ACME_fog\ncameras after the first 1 b\nlantern lights 1 lamp\n"
+            "textures that cannot be read 1\n");
   EXPECT_EQ(scene.camera.verticalFovDegrees, static_cast<float>(180 / std::numbers::pi));
   EXPECT_TRUE(scene.cameraChosen);
 }

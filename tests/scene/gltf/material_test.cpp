@@ -389,6 +389,9 @@ TEST_F(GltfMaterial, PicturesThatCannotBeReadAreLeftOutAndNamed) {
                    uri + R"("}],"extras":[{})"));
     EXPECT_FALSE(scene.objects[0].opaque->baseColorTexture);
     EXPECT_THAT(notes, Contains(HasSubstr("a texture is left out"))) << uri;
+    ASSERT_EQ(scene.notShown.size(), 1U);
+    EXPECT_EQ(scene.notShown[0].what, "textures that cannot be read");
+    EXPECT_THAT(scene.notShown[0].names, testing::ElementsAre(uri));
   }
   EXPECT_THAT(errorOf(parts(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}})")),
               HasSubstr("texture 7 does not exist"));

@@ -173,6 +173,11 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
                      "f 2 4 8 6\n"),
             "materials 2 glaze wood\nmaterial files 1 a.mtl\n"
             "groups as objects of their own 2 lid pot\nvertex colours 1\n");
+  // A group with a material to itself is an object; two that share one are not.
+  const std::string faces = cubeCorners + "o pot\nusemtl wax\nf 1 3 4 2\nf 5 6 8 7\no lid\n";
+  EXPECT_EQ(notShown(faces + "usemtl marble\nf 1 2 6 5\nf 3 7 8 4\n"), "");
+  EXPECT_EQ(notShown(faces + "usemtl marble\nf 1 2 6 5\nf 3 7 8 4\no rim\nf 1 5 7 3\n"),
+            "groups as objects of their own 2 lid rim\n");
 }
 
 TEST_F(Obj, MaterialsComeFromTheirFile) {
@@ -193,8 +198,10 @@ TEST_F(Obj, MaterialsComeFromTheirFile) {
   EXPECT_EQ(glaze.emission, (Rgb{0, 2, 0}));
   EXPECT_EQ(glaze.baseColorTexture->pixels->rgba[2], 30 * 257);
   EXPECT_FALSE(glaze.emissionTexture);
-  EXPECT_TRUE(scene.notShown.empty());
-  // Seams of the texture split vertices, but not the body. Rows of a picture go down.
+  ASSERT_EQ(scene.notShown.size(), 1U);
+  EXPECT_EQ(scene.notShown[0].what, "textures that cannot be read");
+  EXPECT_THAT(scene.notShown[0].names, testing::ElementsAre("none.png"));
+  // Seams of the texture part vertices, not the body; rows of a picture go down.
   const Mesh& mesh = scene.objects[0].mesh;
   ASSERT_EQ(mesh.textureCoordinates[0].size(), mesh.positionsMm.size());
   EXPECT_GT(mesh.positionsMm.size(), 8U);
