@@ -140,9 +140,24 @@ class Info(ProgramTest):
     def test_the_text_says_the_same(self):
         self.write("cube.obj", CUBE_OBJ)
         text = self.succeed("info", "cube.obj", "--diagonal-mm", "30").out
-        for part in ("cube: 12 triangles", "closed", "diagonal 30 mm", "mean free path", "evice"):
+        for part in ("cube: 12 triangles", "closed", "1 component\n", "diagonal 30 mm", "mean free path", "evice"):
             self.assertIn(part, text)
         self.assertNotIn("atlas", text)
+
+    def test_a_length_is_in_millimetres_however_large_or_small(self):
+        self.write("sheet.obj", "v 0 0 0\nv 3 0 0\nv 3 4 0.0000001\nf 1 2 3\n")
+        text = self.succeed("info", "sheet.obj", "--diagonal-mm", 5000).out
+        self.assertIn("sheet: 1 triangle, 3 vertices, open (1 boundary loop), 1 component\n"
+                      "from 0, 0, 0 mm to 3000, 4000, 0 mm, diagonal 5000 mm\n", text)
+        self.assertIn("object sheet: 3000 x 4000 x 0.0001 mm of marble", text)
+        text = self.succeed("info", "sheet.obj", "--diagonal-mm", .005).out
+        self.assertIn("to 0.003, 0.004, 0 mm, diagonal 0.005 mm\n", text)
+
+    def test_light_that_never_fades_has_no_diffusion_length(self):
+        text = self.succeed("info", "--sigma-s", "1,1,1", "--sigma-a", "0,0,0").out
+        self.assertIn("mean free path 1 1 1 mm, diffusion length infinite\n", text)
+        text = self.succeed("info", "--sigma-s", "1,1,1", "--sigma-a", "0,0,1").out
+        self.assertIn("diffusion length infinite infinite 0.408 mm\n", text)  # 1 / sqrt(3 * 1 * 2)
 
     def test_the_picture_of_the_atlas(self):
         self.write("cube.obj", CUBE_OBJ)

@@ -246,13 +246,17 @@ Json writeAtlas(const Scene& scene, const std::filesystem::path& file) {
   return atlasJson(atlas.statistics);
 }
 
-// Three lengths in a common unit.
-std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
-  const LengthUnit unit =
-      lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
-  return fmt::format("{}{}{}{}{} {}", lengthNumber(mm[0], unit, digits), between,
-                     lengthNumber(mm[1], unit, digits), between, lengthNumber(mm[2], unit, digits),
-                     unit.name);
+std::string sizeText(const Object& object) {
+  const std::array<double, 3> mm = sizeMm(object);
+  constexpr int digits = 4;
+  return fmt::format("{} x {} x {} mm", lengthNumber(mm[0], digits), lengthNumber(mm[1], digits),
+                     lengthNumber(mm[2], digits));
+}
+
+std::string ofChannelsText(const std::array<double, 3>& mm) {
+  if (std::none_of(mm.begin(), mm.end(), [](double length) { return std::isfinite(length); }))
+    return lengthNumber(mm[0]);
+  return fmt::format("{} {} {} mm", lengthNumber(mm[0]), lengthNumber(mm[1]), lengthNumber(mm[2]));
 }
 
 // The bodies that consist of several objects.
@@ -267,30 +271,36 @@ std::string bodiesText(const Json& objects) {
 }
 
 std::string sceneText(const Scene& scene, const Json& facts) {
+  const auto count = [&](const char* field, const char* one, const char* many) {
+    const auto number = facts[field].get<std::size_t>();
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+  };
   std::string text = fmt::format(
-      "{}: {} triangles, {} vertices, {}, components: {}\n", scene.name,
-      facts["triangles"].get<std::size_t>(), facts["vertices"].get<std::size_t>(),
+      "{}: {}, {}, {}, {}\n", scene.name, count("triangles", "triangle", "triangles"),
+      count("vertices", "vertex", "vertices"),
       facts["closed"].get<bool>()
           ? "closed"
-          : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
-      facts["components"].get<std::size_t>());
+          : fmt::format("open ({})", count("boundary_loops", "boundary loop", "boundary loops")),
+      count("components", "component", "components"));
   const Bounds bounds = boundsOf(scene);
-  const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
+  const double diagonal = diagonalMm(scene);
+  const auto corner = [&](const Vec3& mm) {
+    return fmt::format("{}, {}, {} mm", coordinateNumber(mm[0], diagonal),
+                       coordinateNumber(mm[1], diagonal), coordinateNumber(mm[2], diagonal));
+  };
   text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
-                      lengthText(diagonalMm(scene), 4));
+                      lengthText(diagonal, 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const std::array<double, 3> size = sizeMm(object);
     if (object.opaque) {
-      text += fmt::format("object {}: {}, {}\n", object.name, lengthsText(size, " x ", 4),
-                          opaqueText(object));
+      text += fmt::format("object {}: {}, {}\n", object.name, sizeText(object), opaqueText(object));
       continue;
     }
     const MediumLengths lengths = lengthsOf(object.medium);
-    text += fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n",
-                        object.name, lengthsText(size, " x ", 4), object.medium.name,
-                        lengthsText(lengths.meanFreePathMm, " ", 3),
-                        lengthsText(lengths.diffusionMm, " ", 3));
+    text +=
+        fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n", object.name,
+                    sizeText(object), object.medium.name, ofChannelsText(lengths.meanFreePathMm),
+                    ofChannelsText(lengths.diffusionMm));
     text += texturesText(object);
     const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
     if (open > 0)

@@ -7,37 +7,35 @@
 namespace opaline::app {
 namespace {
 
-TEST(Measures, LengthsAsPeopleWriteThem) {
-  EXPECT_EQ(lengthText(1.76e5), "176 m");
+TEST(Measures, LengthsAreMillimetres) {
+  EXPECT_EQ(lengthText(1.76e5), "176000 mm");
   EXPECT_EQ(lengthText(500), "500 mm");
   EXPECT_EQ(lengthText(35.35), "35.4 mm");
   EXPECT_EQ(lengthText(50), "50 mm");
-  EXPECT_EQ(lengthText(0.5), "0.5 mm");
-  EXPECT_EQ(lengthText(0.05), "50 \u00b5m");
-  EXPECT_EQ(lengthText(2.5e-6), "2.5 nm");
-  EXPECT_EQ(lengthText(1234567), "1.23 km");
+  EXPECT_EQ(lengthText(0.05), "0.05 mm");
+  EXPECT_EQ(lengthText(2.5e-6), "0.0000025 mm");
+  EXPECT_EQ(lengthText(1234567), "1230000 mm");
   EXPECT_EQ(lengthText(0), "0 mm");
-  EXPECT_EQ(lengthText(-1500), "-1.5 m");
-}
-
-TEST(Measures, RoundingMayChangeTheUnit) {
-  EXPECT_EQ(lengthText(999.4), "999 mm");
-  EXPECT_EQ(lengthText(999.7), "1 m");
-  EXPECT_EQ(lengthText(0.09999), "0.1 mm");
+  EXPECT_EQ(lengthText(-1500), "-1500 mm");
+  EXPECT_EQ(lengthText(999.7), "1000 mm");
+  EXPECT_EQ(lengthText(86.6025, 4), "86.6 mm");
+  EXPECT_EQ(lengthText(std::numeric_limits<double>::infinity()), "infinite");
 }
 
 TEST(Measures, NoExponentHoweverLargeOrSmall) {
   for (double mm = 1e-15; mm < 1e19; mm *= 7) {
     EXPECT_EQ(lengthText(mm).find_first_of("eE"), std::string::npos) << mm;
   }
-  EXPECT_EQ(lengthText(std::numeric_limits<double>::infinity()), "endless");
 }
 
-TEST(Measures, ManyInOneUnit) {
-  const LengthUnit unit = lengthUnitFor(176'000);
-  EXPECT_EQ(lengthNumber(176'000, unit), "176");
-  EXPECT_EQ(lengthNumber(1500, unit), "1.5");
-  EXPECT_EQ(lengthNumber(86.6025, lengthUnitFor(86.6025), 4), "86.6");
+// 569.1 mm have one decimal.
+TEST(Measures, CoordinatesAreAsExactAsTheSizeOfTheirScene) {
+  EXPECT_EQ(coordinateNumber(-131.04, 569.1), "-131");
+  EXPECT_EQ(coordinateNumber(0.0000485, 569.1), "0");
+  EXPECT_EQ(coordinateNumber(-0.04, 569.1), "0");
+  EXPECT_EQ(coordinateNumber(1000000.12, 569.1), "1000000.1");
+  EXPECT_EQ(coordinateNumber(0.12346, 0.5), "0.1235");
+  EXPECT_EQ(coordinateNumber(123456, 1e6), "123000");
 }
 
 TEST(Measures, Stops) {

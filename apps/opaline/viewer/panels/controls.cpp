@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/measures.h"
 #include "viewer/window/glyphs.h"
 
 namespace opaline::app::viewer::controls {
@@ -155,13 +154,7 @@ bool slider(const char* name, double& value, double low, double high, const char
 }
 
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about) {
-  const LengthUnit unit = lengthUnitFor(static_cast<double>(mm));
-  const auto scale = static_cast<float>(unit.mm);
-  float value = mm / scale;
-  const std::string format = std::string("%.4g ") + unit.name;
-  if (!slider(name, value, lowMm / scale, highMm / scale, format.c_str(), about)) return false;
-  mm = value * scale;
-  return true;
+  return slider(name, mm, lowMm, highMm, "%.5g mm", about);
 }
 
 bool stops(const char* name, float& value, float low, float high, const char* about) {

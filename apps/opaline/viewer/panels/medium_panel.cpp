@@ -110,13 +110,12 @@ void showLengths(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
   if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
-    const LengthUnit unit = lengthUnitFor(*std::min_element(mm.begin(), mm.end()));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::Text("%s, %s", name, unit.name);
+    ImGui::Text("%s, mm", name);
     for (const double value : mm) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(lengthNumber(value, unit).c_str());
+      ImGui::TextUnformatted(lengthNumber(value).c_str());
     }
   };
   row("mean free path", lengths.meanFreePathMm);
