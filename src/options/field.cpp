@@ -76,8 +76,11 @@ std::string requirement(const Allowed& allowed, const Value& like) {
                                           : fmt::format("must be {}", listed(allowed.counts));
           },
           [&](const std::string&) -> std::string {
-            if (allowed.choices.empty()) return "must be a name";
-            return fmt::format("must be one of {}", fmt::join(allowed.choices, ", "));
+            if (allowed.choices.empty())
+              return allowed.range.most > 0 ? fmt::format("must be a name, or a number {}", range)
+                                            : "must be a name";
+            return fmt::format("must be {}{}", allowed.choices.size() == 1 ? "" : "one of ",
+                               fmt::join(allowed.choices, ", "));
           },
           [&](const Size&) { return fmt::format("must be WIDTHxHEIGHT, each {}", range); },
           [&](const auto& number) {

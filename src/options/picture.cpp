@@ -137,8 +137,9 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
 template <>
 const std::vector<Field<NamedSettings>>& fieldsOf() {
   static const std::vector<Field<NamedSettings>> table{
-      field<NamedSettings, &NamedSettings::device>("device", {}, "name or number from opaline info",
-                                                   "the best"),
+      // A scene file may give the number without quotes.
+      field<NamedSettings, &NamedSettings::device>("device", {{0, 255}},
+                                                   "name or number from opaline info", "the best"),
       field<NamedSettings, &NamedSettings::clip>("clip", {}, "name from opaline info, or none",
                                                  "the first"),
   };

@@ -119,6 +119,11 @@ std::optional<options::Value> TomlTable::value(std::string_view key,
   const auto named = node->value<std::string>();
   if (named &&
       std::find(allowed.choices.begin(), allowed.choices.end(), *named) != allowed.choices.end())
+  if (std::holds_alternative<std::string>(like) && allowed.range.most > 0) {
+    const auto number = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+    if (number && allowed.range.holds(static_cast<double>(*number)))
+      return fmt::format("{}", *number);
+  }
     return *named;
   options::Value value = like;
   bool good = true;

@@ -148,9 +148,15 @@ TEST_F(OptionsTable, SceneFilesKeepNames) {
   writeScene({file, Existing::Replace}, describe(loaded.scene, loaded.source, loaded.settings));
   EXPECT_EQ(loadSceneFile(file, {}).settings, loaded.settings);
   for (const auto& field : options::fieldsOf<options::NamedSettings>()) {
-    EXPECT_THAT(refusal(std::string(field.key) + " = 3"), HasSubstr("must be a name"));
+    EXPECT_THAT(refusal(std::string(field.key) + " = 3.5"), HasSubstr("must be a name"));
     EXPECT_THAT(refusal(std::string(field.key) + " = ''"), HasSubstr("must be a name"));
   }
+}
+
+TEST_F(OptionsTable, SceneFilesTakeTheNumberOfADevice) {
+  EXPECT_EQ(load("device = 3").settings.named.device, "3");
+  EXPECT_THAT(refusal("device = -1"), HasSubstr("must be a name, or a number from 0 to 255"));
+  EXPECT_THAT(refusal("clip = 3"), HasSubstr("must be a name"));
 }
 
 TEST_F(OptionsTable, BothNamesOfAnOptionAreRefused) {
