@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "opaline/error.h"
 #include "opaline/options/scene.h"
@@ -22,7 +23,10 @@ Medium named(const std::string& name) {
 }
 
 Medium sound(Medium medium) {
-  const std::string complaint = complaintAbout(medium);
+  std::string complaint = complaintAbout(medium);
+  // Scene files and the command line call the reduced coefficient by a shorter name.
+  constexpr std::string_view shorter = "sigma_s_per_mm";
+  if (complaint.starts_with(shorter)) complaint.replace(0, shorter.size(), "sigma_s_prime_per_mm");
   if (!complaint.empty()) throw UsageError(complaint);
   return medium;
 }

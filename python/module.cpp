@@ -3,6 +3,7 @@
 #include "opaline/error.h"
 #include "opaline/version.h"
 #include "python/bindings.h"
+#include "python/keyword_names.h"
 
 namespace opaline::python {
 namespace {
@@ -34,9 +35,9 @@ void bindErrors(py::module_& module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const UsageError& error) {
-      PyErr_SetString(errors.usageError, error.what());
+      PyErr_SetString(errors.usageError, withKeywordNames(error.what()).c_str());
     } catch (const Error& error) {
-      PyErr_SetString(errors.error, error.what());
+      PyErr_SetString(errors.error, withKeywordNames(error.what()).c_str());
     }
   });
 }

@@ -12,6 +12,7 @@
 #include "opaline/renderer.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/keyword_names.h"
 #include "python/keywords.h"
 
 namespace opaline::python {
@@ -24,7 +25,7 @@ LogCallback pythonLog() {
                                : level == LogLevel::Note  ? "info"
                                                           : "debug";
       const py::object logger = py::module_::import("logging").attr("getLogger")("opaline");
-      logger.attr(name)("%s", std::string(message));
+      logger.attr(name)("%s", withKeywordNames(message));
     } catch (py::error_already_set& error) {
       error.discard_as_unraisable("a handler of the logger 'opaline'");
     }

@@ -60,7 +60,7 @@ void setTextureCoordinates(Mesh& mesh, const py::object& given) {
   requireOneEach(places.size(), mesh.positionsMm.size(), "texture_coordinates");
   for (const Vec2& place : places) {
     if (!std::isfinite(place[0]) || !std::isfinite(place[1])) {
-      throw UsageError("texture_coordinates holds what is not finite.");
+      throw UsageError("texture_coordinates has a value that is infinite or not a number.");
     }
   }
   mesh.textureCoordinates[0] = std::move(places);
@@ -321,8 +321,9 @@ longitude, whose top row is +y and whose centre column is -z; or None.)")
           "name", [](const SharedScene& shared) { return shared.scene.name; },
           "Of its file, or an empty text.")
       .def("__repr__", [](const SharedScene& shared) {
-        return fmt::format("<opaline.Scene '{}': {} objects>", shared.scene.name,
-                           shared.objects.size());
+        const std::size_t count = shared.objects.size();
+        return fmt::format("<opaline.Scene '{}': {} object{}>", shared.scene.name, count,
+                           count == 1 ? "" : "s");
       });
 }
 

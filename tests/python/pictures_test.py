@@ -139,6 +139,14 @@ class Frames(unittest.TestCase):
         # KiB. If each frame left its picture they would be 16,000, if it left its positions 13,000.
         self.assertLess(frames(1000) - before, 4096)
 
+    def test_advice_names_keywords(self):
+        renderer = opaline.Renderer(scene())
+        with self.assertLogs("opaline") as logged:
+            renderer.render(8, 8, transport="boundary", max_clusters=64)
+        self.assertTrue(any("max_clusters" in line for line in logged.output), logged.output)
+        self.assertFalse(any("::" in line for line in logged.output), logged.output)
+
+
 class Comparing(unittest.TestCase):
     def test_is_the_formula(self):
         a, b = np.random.default_rng(1).random((2, 5, 7, 3))

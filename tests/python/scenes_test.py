@@ -33,6 +33,8 @@ class Media(unittest.TestCase):
                       lambda: opaline.Medium("wax", eta=float("nan"))):
             with self.assertRaises(opaline.UsageError):
                 wrong()
+        with self.assertRaisesRegex(opaline.UsageError, "^sigma_s_prime_per_mm"):
+            opaline.Medium(sigma_s_prime_per_mm=(-1, 1, 1), sigma_a_per_mm=(1, 1, 1))
 
     def test_appearance(self):
         pale = opaline.Medium.from_appearance((.9, .9, .9), (1, 1, 1))
@@ -102,6 +104,7 @@ class Scenes(unittest.TestCase):
             made = opaline.load(str(file), medium="jade", diagonal_mm=50)
             self.assertAlmostEqual(made.diagonal_mm, 50, places=3)
             self.assertEqual(made.objects[0].medium, opaline.Medium("jade"))
+            self.assertRegex(repr(made), ": 1 object>$")
             with self.assertRaisesRegex(opaline.Error, "nothing.ply"):
                 opaline.load(pathlib.Path(folder, "nothing.ply"))
 
