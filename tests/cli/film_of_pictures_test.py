@@ -121,9 +121,19 @@ class FilmOfPictures(Row):
         before = self.listing()
         for options in (("--check",), ("-o", "a.mp4")):
             self.refused(1, "film", "shot", *options,
-                         says=("8 frames", "3 missing (2, 4 to 5)", "2 damaged or not 32x16 (3, 7)"))
-        self.refused(1, "film", "shot", "--check", "--frames", "0:9", says="5 missing (2, 4 to 5, 8 to 9)")
+                         says=("3 of 8 frames are missing (2, 4 to 5) and 2 are damaged or not 32x16 (3, 7); "
+                               "render --resume makes them"))
+        self.refused(1, "film", "shot", "--check", "--frames", "0:9", says="5 of 10 frames are missing (2, 4 to 5, 8 to 9)")
         self.assertEqual(self.listing(), before)
+
+    def test_frames_with_a_step_need_not_be_missing(self):
+        self.write_row("shot", (0, 2, 4))
+        self.refused(1, "film", "shot", "--check",
+                     says=("2 of 5 frames are missing (1, 3)", "--frames 0:4:2", "render --resume --frames 0:4 "))
+        self.succeed("film", "shot", "--check", "--frames", "0:4:2")
+        self.write_row("holes", (0, 1, 3))
+        run = self.refused(1, "film", "holes", "--check", says="1 of 4 frames is missing (2); render --resume makes them")
+        self.assertNotIn("--frames", run.err)
 
     def test_damage_in_the_middle_is_seen_too(self):
         self.write_row("shot", range(3))

@@ -118,6 +118,18 @@ std::string numbersText(const std::vector<int>& numbers, int step) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Of frames with gaps between those that are there. Where these are as far apart as frames that
+/// are rendered with a step, the gaps may be meant.
+std::string cureOfGaps(const FrameRange& frames, const std::vector<int>& there) {
+  const int step = there.size() > 2 ? there[1] - there[0] : frames.step;
+  bool isEven = step > frames.step;
+  for (std::size_t i = 1; i < there.size(); ++i) isEven = isEven && there[i] - there[i - 1] == step;
+  if (!isEven) return "render --resume makes them";
+  return fmt::format(
+      "--frames {}:{}:{} leaves out what is missing, render --resume --frames {}:{} makes it",
+      there.front(), there.back(), step, frames.first, frames.last);
+}
+
 Image firstPicture(const PictureRow& row) {
   std::error_code ignored;
   for (int frame = row.frames.first; frame <= row.frames.last; frame += row.frames.step)
@@ -143,7 +155,7 @@ PictureRow findPictureRow(const fs::path& given, const std::optional<FrameRange>
     row.names = given / onlyPatternIn(given);
   } else if (!NumberedName::parse(given.filename().string())) {
     throw Error(
-        fmt::format("{}: is neither a folder nor a name with one %d or %04d", given.string()));
+        fmt::format("{}: it is neither a folder nor a name with one %d or %04d", given.string()));
   }
   if (const std::string extension = extensionOf(row.names);
       extension != ".png" && extension != ".exr") {
@@ -165,23 +177,29 @@ void requireWhole(const PictureRow& row) {
   const Image first = firstPicture(row);
   std::vector<int> missing;
   std::vector<int> broken;
+  std::vector<int> there;
   std::error_code ignored;
   for (int frame = row.frames.first; frame <= row.frames.last; frame += row.frames.step) {
     const fs::path file = row.file(frame);
+    const bool isThere = fs::exists(file, ignored);
+    if (isThere) there.push_back(frame);
     if (isWholeImage(file, first.width, first.height)) continue;
-    (fs::exists(file, ignored) ? broken : missing).push_back(frame);
+    (isThere ? broken : missing).push_back(frame);
   }
   if (missing.empty() && broken.empty()) return;
   std::vector<std::string> complaints;
   const auto complain = [&](const std::vector<int>& numbers, std::string_view what) {
     if (numbers.empty()) return;
-    complaints.push_back(
-        fmt::format("{} {} ({})", numbers.size(), what, numbersText(numbers, row.frames.step)));
+    const std::string of =
+        complaints.empty() ? fmt::format(" of {} frames", row.frames.count()) : "";
+    complaints.push_back(fmt::format("{}{} {} {} ({})", numbers.size(), of,
+                                     numbers.size() == 1 ? "is" : "are", what,
+                                     numbersText(numbers, row.frames.step)));
   };
   complain(missing, "missing");
   complain(broken, fmt::format("damaged or not {}x{}", first.width, first.height));
-  throw Error(fmt::format("{}: of {} frames {}; render --resume makes them", row.names.string(),
-                          row.frames.count(), fmt::join(complaints, " and ")));
+  throw Error(fmt::format("{}: {}; {}", row.names.string(), fmt::join(complaints, " and "),
+                          cureOfGaps(row.frames, there)));
 }
 
 std::optional<double> framesPerSecondOf(const PictureRow& row) {
