@@ -52,6 +52,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
  public:
   GltfPrescan found;
   std::string problem;
+  bool isDamaged = false;  ///< and so no JSON
 
   std::size_t buffersWithoutUri() const { return embedded_; }
 
@@ -109,12 +110,9 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool parse_error(std::size_t position, const std::string&,
-                   const nlohmann::json::exception& error) override {
-    const std::string_view what(error.what());
-    const std::size_t start = what.find("] ");
-    problem =
-        fmt::format("its JSON is damaged at byte {}: {}", position,
-                    cleanText(start == std::string_view::npos ? what : what.substr(start + 2)));
+                   const nlohmann::json::exception&) override {
+    problem = fmt::format("its JSON is damaged at byte {}", position);
+    isDamaged = true;
     return false;
   }
 
@@ -153,6 +151,9 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
 GltfPrescan prescanGltf(const Input& input, std::string_view json) {
   Scanner scanner;
   const bool whole = nlohmann::json::sax_parse(json.begin(), json.end(), &scanner);
+  const std::size_t start = json.find_first_not_of(" \t\r\n");
+  const bool isObject = start != std::string_view::npos && json[start] == '{';
+  if (scanner.isDamaged && !isObject) failGltf(input, "it is not a glTF file");
   if (!whole || !scanner.problem.empty()) {
     failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
   }

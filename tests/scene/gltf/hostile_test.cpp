@@ -156,7 +156,17 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
   EXPECT_THAT(
       textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
       HasSubstr("a.gltf"));
-  EXPECT_THAT(textError("hello"), HasSubstr("JSON"));
+  EXPECT_THAT(textError("hello"), HasSubstr("it is not a glTF file"));
+}
+
+TEST_F(Gltf, WhatIsNoJsonIsNoGltf) {
+  const auto complaint = [&](const std::string& bytes) {
+    return test::messageOf([&] { loadBytes(bytes); });
+  };
+  EXPECT_THAT(complaint("\x89PNG\r\n\x1A\n"), testing::EndsWith("a.glb: it is not a glTF file"));
+  EXPECT_THAT(complaint("this is no glTF"), testing::EndsWith("a.glb: it is not a glTF file"));
+  EXPECT_THAT(complaint("{\"asset\":,}"),
+              testing::EndsWith("a.glb: its JSON is damaged at byte 10"));
 }
 
 }  // namespace
