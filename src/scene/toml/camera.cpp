@@ -2,12 +2,24 @@
 
 #include "opaline/framing.h"
 #include "opaline/options/scene.h"
+#include "scene/formats.h"
 #include "scene/toml/keys.h"
 #include "scene/vector_math.h"
 
 namespace opaline::scene {
 
-void readCamera(const TomlTable& root, const Vec3& centreMm, RawScene& scene) {
+namespace {
+
+/// Where the view shows no up, so that pictures take another direction for it.
+bool isAlong(const Double3& view, const Vec3& up) {
+  const Double3 across = cross(unit(view), unit(toDouble(up)));
+  return !(dot(across, across) > 1e-8);
+}
+
+}  // namespace
+
+void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& log,
+                RawScene& scene) {
   const auto table = root.table("camera");
   if (!table) return;
   table->requireKeys(keys::camera);
@@ -35,10 +47,12 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, RawScene& scene) {
     camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
   }
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
-  if (!(length(view) > 0)) table->fail("", "looks at where it is");
+  if (!(length(view) > 0)) table->fail("", "has the same position and target");
   if (placed) camera.up = usualUp(camera);
   if (const auto up = table->vector("up")) {
     if (*up == Vec3{}) table->fail("up", "must not be zero");
+    if (isAlong(view, *up))
+      note(log, "'up' in [camera] is parallel to the view, so another direction is up");
     camera.up = *up;
   }
   const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);

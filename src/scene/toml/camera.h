@@ -5,8 +5,9 @@
 
 namespace opaline::scene {
 
-/// Applies [camera], which replaces the scene's own camera and its motion. Without such a table
-/// nothing changes.
-void readCamera(const TomlTable& root, const Vec3& centreMm, RawScene& scene);
+/// What [camera] says, instead of the scene's own camera and its motion; nothing changes where
+/// there is no such table.
+void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& log,
+                RawScene& scene);
 
 }  // namespace opaline::scene

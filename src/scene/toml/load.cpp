@@ -410,7 +410,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   assembly.centre = middleOf(boundsOf(assembly.scene));
   readLighting(root, assembly);
   frameBuiltIn(assembly);
-  readCamera(root, assembly.centre, assembly.scene);
+  readCamera(root, assembly.centre, assembly.options.log, assembly.scene);
   readGround(root, assembly);
   double factor = 1;
   if (options.diagonalMm) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "opaline/error.h"
 #include "opaline/image_file.h"
@@ -345,7 +346,7 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
       {"model = 'cube.ply'\nlights = 5\n", "[[lights]]"},
       {"model = 'cube.ply'\n[[lights]]\ntype = 'directional'\ndirection_to_light = [0,0,0]\n",
        "zero"},
-      {"model = 'cube.ply'\n[camera]\nposition_mm = [0,0,0]\n", "looks"},
+      {"model = 'cube.ply'\n[camera]\nposition_mm = [0,0,0]\n", "same position"},
       {"model = 'cube.ply'\n[camera]\nfov_degrees = 0\n", "from 1 to 170"},
       {"model = 'cube.ply'\n[camera]\nup = [0, 0, 0]\n", "'up'"},
       {"model = 'cube.ply'\n[render]\nbackground = [0, 2, 0]\n", "'background'"},
@@ -357,6 +358,30 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
     EXPECT_THAT(errorOf(text), HasSubstr(part)) << text;
   }
   EXPECT_THAT(errorOf("model = " + std::string(100000, '[')), HasSubstr("deep"));
+}
+
+TEST_F(Toml, AnUnknownNameIsToldANearOneOrThoseThereAre) {
+  EXPECT_THAT(errorOf("model = 'cube.ply'\ndiagonal = 3\n"),
+              HasSubstr("not a known key; the nearest is 'diagonal_mm'"));
+  EXPECT_THAT(errorOf("model = 'cube.ply'\n[render]\nresolution = 3\n"),
+              testing::EndsWith("'resolution' in [render] is not a known key"));
+  EXPECT_THAT(errorOf("model = 'cube.ply'\n[objects.cubo]\n"), HasSubstr("the nearest is 'cube'"));
+  EXPECT_THAT(errorOf("model = 'cube.ply'\n[objects.teapot]\n"), HasSubstr("there is only 'cube'"));
+}
+
+TEST_F(Toml, AnUpAlongTheViewIsNoted) {
+  std::vector<std::string> notes;
+  LoadOptions options;
+  options.diagonalMm = 50;
+  options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
+  const std::string camera = "model = 'cube.ply'\n[camera]\ndirection = [0, 0, 1]\nup = ";
+  load(camera + "[0, 0.01, 1]\n", options);
+  EXPECT_THAT(notes, testing::IsEmpty());
+  for (const std::string along : {"[0, 0, 1]", "[0, 0, -5]"}) {
+    notes.clear();
+    load(camera + along + "\n", options);
+    EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("'up' in [camera] is parallel to the view")));
+  }
 }
 
 TEST_F(Toml, AMissingModelIsNamed) {
