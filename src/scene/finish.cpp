@@ -85,7 +85,6 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
 void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene,
                      std::vector<NotShown>& hidden) {
   Object& object = scene.objects[index];
-  std::vector<NotShown>& notShown = scene.notShown;
   forgetMaterial(scene.changes, index);
   if (object.opaque) addNotShown(hidden, partsOf(*object.opaque), object.opaque->name);
   if (object.opaque && !object.mesh.colors.empty())
@@ -188,8 +187,8 @@ void requireSensible(const LoadOptions& options) {
   for (const MediumOfObject& of : options.media) require(of.medium);
 }
 
-  std::vector<NotShown> hidden;
 void setMedia(const LoadOptions& options, Scene& scene) {
+  std::vector<NotShown> hidden;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto& opaque = scene.objects[i].opaque;
     const bool metal = opaque && isMetal(*opaque);
@@ -199,17 +198,17 @@ void setMedia(const LoadOptions& options, Scene& scene) {
   for (const Object& object : scene.objects) names.emplace_back(object.name);
   for (const auto& [name, medium] : options.media) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-      throw UsageError(fmt::format("there is no object '{}'; the nearest is '{}'",
-                                   cleanText(name, 100), nearest(name, names).value_or("")));
+      throw UsageError(fmt::format("there is no object '{}'{}", cleanText(name, 100),
+                                   suggestionOrList(name, names)));
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       if (scene.objects[i].name == name) makeTranslucent(medium, i, scene, hidden);
     }
+  }
   if (hidden.empty()) return;
   note(options.log,
        fmt::format("not shown where a medium replaces a material: {}", textOf(hidden)));
   addNotShown(scene.notShown, hidden);
-  }
 }
 
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,

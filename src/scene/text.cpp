@@ -48,6 +48,24 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// The candidate with the smallest edit distance (Levenshtein 1966), one letter for a beginning or
+/// a continuation; none if all are further than about a third of the word.
+std::optional<std::string_view> nearest(std::string_view word,
+                                        std::span<const std::string_view> candidates) {
+  word = word.substr(0, 64);
+  std::optional<std::string_view> best;
+  std::size_t least = std::max<std::size_t>((word.size() + 1) / 3, 1) + 1;
+  for (const std::string_view candidate : candidates) {
+    const bool begins =
+        !word.empty() && (candidate.starts_with(word) || word.starts_with(candidate));
+    const std::size_t distance = begins ? 1 : editDistance(word, candidate);
+    if (distance >= least) continue;
+    best = candidate;
+    least = distance;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::string cleanText(std::string_view text, std::size_t longest) {
@@ -76,21 +94,17 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-std::optional<std::string_view> nearest(std::string_view word,
-                                        std::span<const std::string_view> candidates) {
-  word = word.substr(0, 64);
-  std::optional<std::string_view> best;
-  std::size_t bestDistance = 0;
-  for (const std::string_view candidate : candidates) {
-    const bool begins =
-        !word.empty() && (candidate.starts_with(word) || word.starts_with(candidate));
-    const std::size_t distance = begins ? 1 : editDistance(word, candidate);
-    if (!best || distance < bestDistance) {
-      best = candidate;
-      bestDistance = distance;
-    }
-  }
-  return best;
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto near = nearest(word, candidates);
+  return near ? fmt::format("; the nearest is '{}'", *near) : "";
+}
+
+std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates) {
+  constexpr std::size_t mostListed = 4;
+  std::string near = suggestion(word, candidates);
+  if (!near.empty() || candidates.empty()) return near;
+  return fmt::format("; there {} {}", candidates.size() == 1 ? "is only" : "are",
+                     listed(candidates, mostListed));
 }
 
 std::string listed(std::span<const std::string_view> words) {

@@ -53,6 +53,19 @@ class Refusals(ProgramTest):
         for command in COMMANDS:
             self.refused(2, command, "--jsom", says="did you mean --json?")
 
+    def test_what_is_nothing_alike_suggests_nothing(self):
+        for command, typed in (("view", "-o"), ("render", "--resolution"), ("render", "-z")):
+            run = self.refused(2, command, typed, "1", says=f"{command} has no option {typed}")
+            self.assertNotIn("did you mean", run.err)
+
+    def test_names_of_media_and_objects(self):
+        self.refused(2, "render", "--medium", "marbel",
+                     says="--medium marbel: there is no medium 'marbel'; did you mean marble? opaline media lists all")
+        self.refused(2, "render", "--medium", "xyzzyxyzzy@bear",
+                     says="there is no medium 'xyzzyxyzzy'; opaline media lists all")
+        self.refused(2, "render", "--medium", "wax@", says="--medium wax@: the name of an object is missing")
+        self.refused(2, "render", "--medium", "wax@teapot", says="there is no object 'teapot'; there is only 'bear'")
+
     def test_what_comes_later_is_no_option_yet(self):
         self.refused(2, "render", "--sum", "forest", says=("--sum forest", "pattern, tree, all"))
         self.refused(2, "render", "--tolerance", "0.1", "--sum", "all", "--transport", "dipole",

@@ -75,9 +75,21 @@ TEST(Text, BadBytesAreReplaced) {
 
 TEST(Text, NearestIsByEditDistance) {
   const std::vector<std::string_view> keys{"medium", "model", "media"};
-  EXPECT_EQ(scene::nearest("modle", keys), "model");
-  EXPECT_EQ(scene::nearest("meduim", keys), "medium");
-  EXPECT_EQ(scene::nearest("x", {}), std::nullopt);
+  EXPECT_EQ(scene::suggestion("modle", keys), "; the nearest is 'model'");
+  EXPECT_EQ(scene::suggestion("meduim", keys), "; the nearest is 'medium'");
+  EXPECT_EQ(scene::suggestion("model_of", keys), "; the nearest is 'model'");
+  EXPECT_EQ(scene::suggestion("x", keys), "");
+  EXPECT_EQ(scene::suggestion("", keys), "");
+  EXPECT_EQ(scene::suggestion("x", {}), "");
+}
+
+TEST(Text, WhatIsThereIsListedWhereNothingIsNear) {
+  const std::vector<std::string_view> names{"lid", "pot", "spout", "handle", "rim", "knob"};
+  EXPECT_EQ(scene::suggestionOrList("pott", names), "; the nearest is 'pot'");
+  EXPECT_EQ(scene::suggestionOrList("saucer", names),
+            "; there are 'lid', 'pot', 'spout', 'handle' and 2 more");
+  EXPECT_EQ(scene::suggestionOrList("saucer", std::span(names).first(1)), "; there is only 'lid'");
+  EXPECT_EQ(scene::suggestionOrList("saucer", {}), "");
 }
 
 }  // namespace

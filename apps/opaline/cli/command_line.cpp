@@ -89,16 +89,24 @@ std::string spaced(std::string names) {
 }  // namespace
 
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates) {
+  const std::string_view word = typed.substr(0, 64);
+  const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
   const std::string* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(2, typed.size() / 3) + 1;
+  std::size_t least = (letters + 1) / 3 + 1;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = editDistance(typed.substr(0, 64), candidate);
+    const std::size_t distance = editDistance(word, candidate);
     if (distance < least) {
       least = distance;
       nearest = &candidate;
     }
   }
   return nearest == nullptr ? "" : fmt::format("; did you mean {}?", *nearest);
+}
+
+std::string suggestion(std::string_view typed, std::span<const std::string> candidates,
+                       std::string_view lister) {
+  const std::string nearest = suggestion(typed, candidates);
+  return fmt::format("{}{} lists all", nearest.empty() ? "; " : nearest + " ", lister);
 }
 
 CommandLine::CommandLine(std::string name, std::string summary)

@@ -96,7 +96,12 @@ class CommandLine {
   const bool* quiet_ = nullptr;
 };
 
-/// "; did you mean X?" for the candidate nearest to what was typed, or nothing.
+/// "; did you mean X?" for the candidate that differs least from what was typed, by at most about a
+/// third of its letters, or nothing.
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates);
 
 }  // namespace opaline::app
+/// The same, and what lists all: "; did you mean X? opaline media lists all".
+std::string suggestion(std::string_view typed, std::span<const std::string> candidates,
+                       std::string_view lister);
+

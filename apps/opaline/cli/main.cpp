@@ -64,8 +64,8 @@ void dispatch(const Arguments& arguments) {
     if (name == command.name) return command.run({arguments.begin() + 1, arguments.end()});
     names.emplace_back(command.name);
   }
-  throw opaline::UsageError(fmt::format("there is no command {}{}; opaline --help lists them", name,
-                                        suggestion(name, names)));
+  throw opaline::UsageError(
+      fmt::format("there is no command {}{}", name, suggestion(name, names, "opaline --help")));
 }
 
 // After an error, our own files are closed and written. The exit handlers of libraries are skipped,

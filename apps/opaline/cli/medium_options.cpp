@@ -19,8 +19,8 @@ Medium namedMedium(const Given& given, std::string_view name) {
   std::vector<std::string> names;
   for (const auto& row : measuredMedia()) names.push_back(row.medium.name);
   for (const Medium& medium : artisticMedia()) names.push_back(medium.name);
-  throw UsageError(fmt::format("{} {}: there is no such medium{}; opaline media lists them",
-                               given.option, given.text, suggestion(name, names)));
+  throw UsageError(fmt::format("{} {}: there is no medium '{}'{}", given.option, given.text, name,
+                               suggestion(name, names, "opaline media")));
 }
 
 constexpr const char* helpOnNames = "a name that opaline media lists";
@@ -55,13 +55,11 @@ void MediumOptions::read(const Given& given) {
   const std::size_t at = text.find('@');
   const Medium medium = namedMedium(given, text.substr(0, at));
   if (at != std::string_view::npos) {
-    const std::string_view object = text.substr(at + 1);
-    for (const MediumOfObject& before : ofObjects_) {
-      if (before.object != object) continue;
-      throw UsageError(
-          fmt::format("{} {}: the medium of this object is given twice", given.option, text));
+    if (at + 1 == text.size()) {
+      throw UsageError(fmt::format("{} {}: the name of an object is missing after the @",
+                                   given.option, given.text));
     }
-    ofObjects_.push_back({std::string(object), medium});
+    ofObjects_.push_back({std::string(text.substr(at + 1)), medium});
     return;
   }
   if (named_) {

@@ -271,8 +271,7 @@ void readObjects(const TomlTable& root, Assembly& to) {
   for (const auto& [name, table] : tables) {
     table.requireKeys(keys::object);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
-      table.fail("", fmt::format("names no object of the model; the nearest is '{}'",
-                                 nearest(name, names).value_or("")));
+      table.fail("", "names no object of the model" + suggestionOrList(name, names));
     }
     const auto medium = table.text("medium");
     const auto paint = table.value("paint", {}, options::Value(false));

@@ -29,8 +29,7 @@ void TomlTable::requireKeys(std::span<const std::string_view> known,
   };
   for (const auto& [key, value] : table_) {
     if (holds(known, key.str()) || holds(hidden, key.str())) continue;
-    fail(key.str(), fmt::format("is not a known key; the nearest is '{}'",
-                                nearest(key.str(), known).value_or("")));
+    fail(key.str(), "is not a known key" + suggestion(key.str(), known));
   }
 }
 
@@ -119,12 +118,12 @@ std::optional<options::Value> TomlTable::value(std::string_view key,
   const auto named = node->value<std::string>();
   if (named &&
       std::find(allowed.choices.begin(), allowed.choices.end(), *named) != allowed.choices.end())
+    return *named;
   if (std::holds_alternative<std::string>(like) && allowed.range.most > 0) {
     const auto number = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
     if (number && allowed.range.holds(static_cast<double>(*number)))
       return fmt::format("{}", *number);
   }
-    return *named;
   options::Value value = like;
   bool good = true;
   std::visit([&](auto& member) { read(*node, member, good); }, value);

@@ -65,8 +65,7 @@ void requireClip(const TomlTable& root, const LoadedScene& loaded) {
   root.table("render")->fail("clip",
                              loaded.scene.clips.empty()
                                  ? "names a clip, but the model has none"
-                                 : fmt::format("names no clip of the model; the nearest is '{}'",
-                                               nearest(*wanted, names).value_or("")));
+                                 : "names no clip of the model" + suggestionOrList(*wanted, names));
 }
 
 }  // namespace opaline::scene
