@@ -305,6 +305,15 @@ bool CommandLine::hasHelpOfBefore(std::size_t i) const {
   return i < entries_.size() && entries_[i].option != nullptr && entries_[i].help.empty();
 }
 
+std::string CommandLine::togetherWithPlaceholders(std::size_t first, std::size_t last) const {
+  std::string text;
+  for (std::size_t i = first; i < last; ++i) {
+    const bool differs = entries_[i].placeholder != entries_[last].placeholder;
+    text += (differs ? entries_[i].left : entries_[i].names) + ", ";
+  }
+  return text + entries_[last].left;
+}
+
 std::string CommandLine::help() const {
   std::string text =
       fmt::format("opaline {}{} [options]\n{}\n", name_, usage_, wrapped(summary_, helpWidth, 0));
@@ -314,9 +323,13 @@ std::string CommandLine::help() const {
       text += entry.left + ":\n";
       continue;
     }
+    std::size_t last = i;
+    while (hasHelpOfBefore(last + 1)) ++last;
+    const std::string each = togetherWithPlaceholders(i, last);
     std::string names;
-    for (; hasHelpOfBefore(i + 1); ++i) names += entries_[i].names + ", ";
-    text += helpLine(names + entries_[i].left, entry.help);
+    for (; i < last; ++i) names += entries_[i].names + ", ";
+    const bool fits = std::max(each.size() + 4, helpColumn) + entry.help.size() <= helpWidth;
+    text += helpLine(fits ? each : names + entries_[last].left, entry.help);
   }
   return text;
 }

@@ -75,6 +75,8 @@ class CommandLine {
   void addValue(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take, bool repeatable);
   bool hasHelpOfBefore(std::size_t i) const;
+  /// Options that share a help, each with its placeholder where it has not that of the last.
+  std::string togetherWithPlaceholders(std::size_t first, std::size_t last) const;
   void replaceSynonyms(std::vector<std::string>& arguments);
   void fillLeftOut(std::vector<std::string>& arguments) const;
   void run(std::vector<std::string> arguments);
@@ -100,8 +102,8 @@ class CommandLine {
 /// third of its letters, or nothing.
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates);
 
-}  // namespace opaline::app
 /// The same, and what lists all: "; did you mean X? opaline media lists all".
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates,
                        std::string_view lister);
 
+}  // namespace opaline::app

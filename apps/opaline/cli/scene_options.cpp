@@ -198,7 +198,7 @@ void SceneOptions::addTo(CommandLine& line) {
                    readNumber(given, options::fieldOf<LoadOptions>("diagonal_mm").allowed.range));
              });
   medium_.addTo(line);
-  line.value("--morph-to", "FILE", "mesh it turns into; media by observed or khr",
+  line.value("--morph-to", "FILE", "mesh to turn into; colors: observed, khr",
              [this](const Given& given) { morphTo_ = given.text; });
   addField(line, options::fieldOf<LoadOptions>("color_model"), chosen_, {}, "");
 }
@@ -276,7 +276,7 @@ void LightOptions::addTo(CommandLine& line) {
   area("--disc", "", "", readDisc);
   area("--sphere", "", "", readSphere);
   area("--tube", "SHAPE:R,G,B", "", readTube);
-  line.value("--ambient", "R,G,B", "radiance from everywhere; share given back [0.5]",
+  line.value("--ambient", "R,G,B", "radiance from all sides; albedo [0.5]",
              [this](const Given& given) {
                ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
                any_ = true;
