@@ -22,7 +22,7 @@ py::array numbersOf(const py::handle& values, const char* name) {
   py::array array = py::array::ensure(values);
   if (!array) {
     PyErr_Clear();
-    throw UsageError(fmt::format("{} is no array of numbers.", name));
+    throw UsageError(fmt::format("{} is not an array of numbers.", name));
   }
   const char kind = array.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u') {

@@ -181,7 +181,7 @@ void setLights(SharedScene& shared, const py::iterable& lights) {
       lighting.areas.emplace_back(light.cast<TubeLight>());
     } else {
       throw py::type_error(
-          "lights are DirectionalLight, PointLight, SpotLight, RectangleLight, "
+          "lights must be DirectionalLight, PointLight, SpotLight, RectangleLight, "
           "DiscLight, SphereLight or TubeLight");
     }
   }

@@ -28,7 +28,7 @@ std::shared_ptr<const TexturePixels> pixelsOf(const py::object& given, const std
   const py::array array = py::array::ensure(given);
   if (!array) {
     PyErr_Clear();
-    throw UsageError("pixels is no array of numbers.");
+    throw UsageError("pixels is not an array of numbers.");
   }
   const char kind = array.dtype().kind();
   const auto bytes = array.dtype().itemsize();
@@ -48,7 +48,8 @@ std::shared_ptr<const TexturePixels> pixelsOf(const py::object& given, const std
   const float scale = isByte ? 1 / 255.F : isShort ? 1 / most16 : 1;
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     const bool filledIn = i % 4 == 3 && !hasAlpha;
-    if (!std::isfinite(image.rgba[i])) throw UsageError("pixels holds what is not finite.");
+    if (!std::isfinite(image.rgba[i]))
+      throw UsageError("pixels has a value that is infinite or not a number.");
     pixels->rgba[i] =
         filledIn ? std::numeric_limits<std::uint16_t>::max() : storedOf(scale * image.rgba[i]);
   }

@@ -79,7 +79,8 @@ std::string textOf(const Medium& medium) {
 ColorModel colorModelOf(const std::string& name) {
   const auto& names = options::namesOf<ColorModel>();
   if (std::find(names.begin(), names.end(), name) == names.end())
-    throw UsageError(fmt::format("color_model '{}' is none of {}", name, fmt::join(names, ", ")));
+    throw UsageError(
+        fmt::format("color_model '{}' must be one of {}", name, fmt::join(names, ", ")));
   return options::named<ColorModel>(name);
 }
 

@@ -49,7 +49,11 @@ py::dict figuresOf(const py::object& a, const py::object& b, const py::object& m
     }
   }
   const auto figures = compare::figuresOver(first, second, selection);
-  if (!figures) throw UsageError("There is no pixel that both pictures cover and that counts.");
+  if (!figures) {
+    throw UsageError(mask.is_none()
+                         ? "No pixel is covered by both pictures."
+                         : "No pixel that the mask chooses is covered by both pictures.");
+  }
   py::dict result;
   result["rel_rmse"] = figures->all.relRmse;
   result["rel_bias"] = figures->all.relBias;

@@ -110,10 +110,10 @@ py::object path(const SharedScene& shared, int width, int height, const std::str
   const Scene scene = shared.whole();
   const rf::PictureOptions picture =
       pictureOf(width, height, aov, antialias, {specular, roughness});
-  if (bounces < 0 || !(cellMm >= 0)) throw UsageError("bounces and cell_mm are not negative.");
+  if (bounces < 0 || !(cellMm >= 0)) throw UsageError("bounces and cell_mm must not be negative.");
   if ((error && !(*error > 0)) || (longestSeconds && !(*longestSeconds > 0)) ||
       (particles && *particles == 0)) {
-    throw UsageError("error, longest_seconds and particles are above 0.");
+    throw UsageError("error, longest_seconds and particles must be above 0.");
   }
   Made made = interruptible([&](const std::stop_token& stop) {
     const rf::Scene posed = rf::posedScene(scene, {seconds, clip});

@@ -108,7 +108,7 @@ class PythonRenderer {
         throw UsageError(fmt::format("There is no clip {}.", py::str(clip).cast<std::string>()));
       time.clip = static_cast<int>(index);
     } else {
-      throw py::type_error("clip is an index, a name or None");
+      throw py::type_error("clip must be an index, a name or None");
     }
     change([&] { renderer_.setTime(time); });
   }

@@ -347,7 +347,7 @@ OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, siz
   return guarded([&] {
     View& rendered = c::changing(view);
     const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
-    if (to.empty()) throw UsageError("A picture has at least one target.");
+    if (to.empty()) throw UsageError("A picture needs at least one target.");
     std::vector<Aov> aovs;
     for (const OpalineTarget& target : to) {
       aovs.push_back(c::aovOf(target.aov));

@@ -26,7 +26,7 @@ std::vector<std::string> stringsOf(const char* const* strings, std::size_t count
 
 void give(std::string_view text, char* to, std::size_t roomBytes, const char* name) {
   required(to, name);
-  if (roomBytes == 0) throw UsageError(fmt::format("{} has at least one byte.", name));
+  if (roomBytes == 0) throw UsageError(fmt::format("{} needs room for at least one byte.", name));
   const std::size_t length = std::min(text.size(), roomBytes - 1);
   std::copy_n(text.begin(), length, to);
   to[length] = '\0';

@@ -132,21 +132,24 @@ void require(bool met, const char* otherwise) {
 
 void requireOneSize(const Image& a, const Image& b) {
   require(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size(),
-          "images that are compared have the same size");
+          "images that are compared must have the same size");
 }
 
 void requireComparable(const Image& a, const Image& b, const Selection& selection) {
   requireOneSize(a, b);
-  require(4 * selection.size() == a.rgba.size(), "a selection has one number a pixel");
+  require(4 * selection.size() == a.rgba.size(), "a selection must have one number a pixel");
   forEachSelected(selection, [&](std::size_t i) {
-    for (std::size_t c = 0; c < channels; ++c)
-      require(std::isfinite(valueOf(a, i, c)) && std::isfinite(valueOf(b, i, c)),
-              "what is compared is finite");
+    for (std::size_t c = 0; c < channels; ++c) {
+      require(std::isfinite(valueOf(a, i, c)),
+              "the first picture has a pixel that is infinite or not a number");
+      require(std::isfinite(valueOf(b, i, c)),
+              "the second picture has a pixel that is infinite or not a number");
+    }
   });
 }
 
 void requireEdge(int edgePixels) {
-  require(edgePixels > 0, "blocks are at least one pixel wide");
+  require(edgePixels > 0, "blocks must be at least one pixel wide");
 }
 
 }  // namespace
@@ -272,7 +275,7 @@ Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selec
 }
 
 double meanOver(const Plane& plane, const Selection& selection) {
-  require(plane.values.size() == selection.size(), "a selection has one number a pixel");
+  require(plane.values.size() == selection.size(), "a selection must have one number a pixel");
   double sum = 0;
   forEachSelected(selection, [&](std::size_t i) { sum += static_cast<double>(plane.values[i]); });
   const std::size_t count = countOf(selection);

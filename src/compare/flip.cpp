@@ -192,7 +192,7 @@ Seen look(const Image8& picture, double pixelsPerDegree) {
 
 Plane flipMap(const Image8& a, const Image8& b, double pixelsPerDegree) {
   if (a.width != b.width || a.height != b.height)
-    throw UsageError("images that are compared have the same size");
+    throw UsageError("images that are compared must have the same size");
   if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000))
     throw UsageError("pixels per degree must be from 1 to 1000");
   const Seen seenA = look(a, pixelsPerDegree);

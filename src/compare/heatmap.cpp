@@ -94,7 +94,7 @@ double heatmapTop(const Plane& errors, const Selection& selection) {
 
 Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) {
   if (errors.values.size() != selection.size() || !(top > 0))
-    throw UsageError("a heat map has a selection of its size and a top above 0");
+    throw UsageError("a heat map needs a selection of its size and a top above 0");
   const Layout layout = layOut(errors.width, errors.height);
   Image8 picture{layout.width, layout.height, {}};
   picture.rgba.assign(std::size_t{4} * static_cast<std::size_t>(layout.width) *

@@ -48,7 +48,7 @@ std::uintmax_t sizeOfRegular(const fs::path& file) {
                                                                : error.message());
   }
   if (fs::is_directory(status)) failToRead(file, "it is a folder");
-  if (!fs::is_regular_file(status)) failToRead(file, "it is no regular file");
+  if (!fs::is_regular_file(status)) failToRead(file, "it is not a regular file");
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) failToRead(file, error.message());
   return size;
@@ -108,7 +108,7 @@ fs::path replaceable(const fs::path& target) {
   if (status.type() == fs::file_type::none) failToWrite(target, error.message());
   if (!target.has_filename() || fs::is_directory(status)) failToWrite(target, "it is a folder");
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    failToWrite(target, "it is no regular file");
+    failToWrite(target, "it is not a regular file");
   }
   fs::path real = resolved(target);
   if (fs::exists(status) && access(real.c_str(), W_OK) != 0) failToWrite(target, reasonOf(errno));

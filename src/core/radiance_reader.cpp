@@ -79,7 +79,7 @@ class Decoder {
     double exposure = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exposure);
     if (error != std::errc() || !std::isfinite(exposure) || exposure <= 0) {
-      fail("its exposure is no positive number");
+      fail("its exposure is not a positive number");
     }
     scale_ /= exposure;
   }

@@ -330,7 +330,7 @@ std::string complaintAbout(const Ground& ground) {
 std::string complaintAbout(const Camera& camera) {
   if (!isFinite(camera.positionMm) || !isFinite(camera.targetMm) || !isFinite(camera.up))
     return "position, target and up must be finite";
-  if (camera.positionMm == camera.targetMm) return "it looks at where it is";
+  if (camera.positionMm == camera.targetMm) return "position and target must differ";
   return options::complaintAboutFields(camera);
 }
 

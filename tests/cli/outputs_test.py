@@ -48,7 +48,7 @@ class Files(ProgramTest):
         (self.folder / "full.svg").symlink_to("/dev/full")
         os.mkfifo(self.folder / "pipe.svg")
         for name in ("full.svg", "pipe.svg"):
-            self.refused(1, "profile", "--plot", name, says=(name, "no regular file"))
+            self.refused(1, "profile", "--plot", name, says=(name, "not a regular file"))
         self.assertTrue((self.folder / "full.svg").is_symlink())
 
     def test_a_file_that_is_there_is_replaced_whole(self):

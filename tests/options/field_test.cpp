@@ -346,7 +346,7 @@ TEST(Names, AreAnyTextThatIsNotEmpty) {
 
 TEST(Camera, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}}), "");
-  EXPECT_THAT(complaintAbout(Camera{}), HasSubstr("where it is"));
+  EXPECT_THAT(complaintAbout(Camera{}), HasSubstr("position and target must differ"));
   EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}, .verticalFovDegrees = 171}),
             "fov_degrees 171: must be from 1 to 170 degrees");
 }

@@ -170,6 +170,10 @@ class Comparing(unittest.TestCase):
         for wrong in ((a, broken), (a, b[:3]), (a, b, mask[:2]), (a, b, np.zeros((4, 4))), (a[..., :2], b), (a[0], b)):
             with self.assertRaises(opaline.UsageError):
                 opaline.compare(*wrong)
+        with self.assertRaisesRegex(opaline.UsageError, "the second picture has a pixel"):
+            opaline.compare(a, broken)
+        with self.assertRaisesRegex(opaline.UsageError, "No pixel is covered by both pictures."):
+            opaline.compare(np.zeros((4, 4, 4)), b)
 
     def test_tone(self):
         grey = np.full((2, 3, 4), .18, np.float32)

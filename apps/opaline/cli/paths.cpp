@@ -37,8 +37,11 @@ std::string nameText(const std::filesystem::path& file, const std::filesystem::p
 std::filesystem::path readOutput(const Given& given, const std::vector<std::string>& extensions) {
   std::filesystem::path file = given.text;
   if (std::find(extensions.begin(), extensions.end(), extensionOf(file)) == extensions.end()) {
-    throw UsageError(fmt::format("{} {}: the file's name must end in {}", given.option, given.text,
-                                 fmt::join(extensions, " or ")));
+    std::string list = extensions.front();
+    for (std::size_t i = 1; i < extensions.size(); ++i)
+      list += (i + 1 < extensions.size() ? ", " : " or ") + extensions[i];
+    throw UsageError(
+        fmt::format("{} {}: the file's name must end in {}", given.option, given.text, list));
   }
   return file;
 }

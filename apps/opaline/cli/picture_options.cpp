@@ -190,7 +190,7 @@ void PictureOptions::applyTo(RenderOptions& options) const {
 std::optional<std::string> PictureOptions::noteOnExposure(const SceneFileSettings& settings,
                                                           const ToneOptions& tone) const {
   if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
-  return fmt::format("exposed by {:+} stops to suit the light; --exposure 0 turns this off",
+  return fmt::format("exposure set to {:+} stops to suit the light; --exposure 0 keeps it at 0",
                      tone.exposureStops);
 }
 

@@ -221,8 +221,9 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
                                  files_.front().string()));
   }
   if (morphTo_ && files_.empty()) {
-    throw UsageError(fmt::format("--morph-to {}: a built-in scene has no counterpart, name a SCENE",
-                                 morphTo_->string()));
+    throw UsageError(
+        fmt::format("--morph-to {}: a built-in scene cannot turn into another mesh; name a SCENE",
+                    morphTo_->string()));
   }
   LoadOptions options;
   options.diagonalMm = diagonalMm_;

@@ -172,8 +172,8 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
 }
 
 void refuseChoice(const Given& given, const std::vector<std::string>& choices) {
-  refuse(given, fmt::format("must be one of {}{}", fmt::join(choices, ", "),
-                            suggestion(given.text, choices)));
+  refuse(given, fmt::format("must be {}{}{}", choices.size() == 1 ? "" : "one of ",
+                            fmt::join(choices, ", "), suggestion(given.text, choices)));
 }
 
 }  // namespace opaline::app

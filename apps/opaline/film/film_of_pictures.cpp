@@ -60,7 +60,7 @@ struct FilmCommand {
   void requireUse() const {
     if (check && output) throw UsageError("--check writes nothing and needs no -o");
     if (check && (!look.empty() || framesPerSecond)) {
-      throw UsageError("--check makes no film, so that its speed and look cannot be chosen");
+      throw UsageError("--check makes no film, so a speed or a look cannot be chosen");
     }
     const options::Value* const background = look.find("background");
     if (background != nullptr && !std::holds_alternative<Rgb>(*background)) {

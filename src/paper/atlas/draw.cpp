@@ -131,7 +131,7 @@ namespace opaline {
 
 Image drawAtlas(const Atlas& atlas, int size) {
   if (size < 16 || size > 16384)
-    throw UsageError("The picture of an atlas has an edge of 16 to 16384 pixels.");
+    throw UsageError("The picture of an atlas must have an edge of 16 to 16384 pixels.");
   return atlas::picture(atlas, size);
 }
 

@@ -46,7 +46,7 @@ GivenCamera perspectiveCamera(const Rows& rows) {
   const double volume = glm::determinant(directions);
   const double edges = glm::length(x) * glm::length(y) * glm::length(w);
   if (!(std::abs(volume) > 1e-9 * edges))
-    throw UsageError("CameraMatrices: viewToClip is no projection of what worldToView shows");
+    throw UsageError("CameraMatrices: viewToClip is not a projection of what worldToView shows");
   const glm::dvec3 position = glm::inverse(directions) * -glm::dvec3(rows.x.w, rows.y.w, rows.w.w);
 
   GivenCamera camera;
@@ -72,7 +72,7 @@ GivenCamera orthographicCamera(const Rows& rows, const glm::dvec3& eye) {
   const double slope = glm::dot(z, axis);
   if (!(area > 1e-9 * glm::length(x) * glm::length(y)) ||
       !(std::abs(slope) > 1e-9 * glm::length(z)))
-    throw UsageError("CameraMatrices: viewToClip is no projection of what worldToView shows");
+    throw UsageError("CameraMatrices: viewToClip is not a projection of what worldToView shows");
   const bool isReversed = slope < 0;
   // How far along the axis the near plane lies, in the middle of the picture.
   const glm::dmat3 directions = glm::transpose(glm::dmat3(x, y, axis));
@@ -105,7 +105,7 @@ GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm
   const bool isOrthographic = glm::dvec3(rowsOf[3]) == glm::dvec3(0);
   if (isOrthographic) rowsOf /= rowsOf[3].w;
   if (isOrthographic && !isFinite(rowsOf))
-    throw UsageError("CameraMatrices: viewToClip is no projection of what worldToView shows");
+    throw UsageError("CameraMatrices: viewToClip is not a projection of what worldToView shows");
   const Rows rows{.x = rowsOf[0] + 2 * jitter.x / width * rowsOf[3],
                   .y = rowsOf[1] + 2 * jitter.y / height * rowsOf[3],
                   .z = rowsOf[2],

@@ -92,8 +92,8 @@ SoftBodyMotion::SoftBodyMotion(gpu::Device& device, std::span<const Vec3> restMm
 void SoftBodyMotion::grab(const Vec3& pointMm, float radiusMm) {
   requireFinite(pointMm, "the place at which a soft body is grabbed");
   if (!std::isfinite(radiusMm) || radiusMm < 0)
-    throw UsageError(
-        fmt::format("a soft body is grabbed within a radius of 0 mm or more, not {}", radiusMm));
+    throw UsageError(fmt::format(
+        "a soft body can only be grabbed within a radius of 0 mm or more, not {}", radiusMm));
   grabbedMm_ = pointMm;
   radiusCells_ =
       std::min(static_cast<double>(radiusMm) / cage_.cellMm, farCells) + leastRadiusCells;
@@ -132,7 +132,8 @@ void SoftBodyMotion::disturb() {
 
 bool SoftBodyMotion::step(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0)
-    throw UsageError(fmt::format("a soft body moves on by a time of 0 s or more, not {}", seconds));
+    throw UsageError(
+        fmt::format("a soft body can only move on by a time of 0 s or more, not {}", seconds));
   if (!moves()) {
     waiting_ = 0;
     return false;

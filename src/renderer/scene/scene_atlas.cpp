@@ -7,7 +7,7 @@ namespace opaline {
 
 Atlas makeAtlas(const Scene& scene, const AtlasOptions& options) {
   if (options.mapSize < 64 || options.mapSize > 4096 || options.gutter < 1 || options.gutter > 16) {
-    throw UsageError("An atlas is for a map of 64 to 4096 texels with a gutter of 1 to 16.");
+    throw UsageError("An atlas needs a map of 64 to 4096 texels with a gutter of 1 to 16.");
   }
   for (const Object& object : scene.objects)
     scene::requireSound(object.mesh.positionsMm, object.mesh.triangles);

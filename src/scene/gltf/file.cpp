@@ -104,7 +104,7 @@ std::string_view jsonOf(const Input& input, bool binary) {
   const std::uint32_t version = littleEndian32(input.bytes, 4);
   if (version != 2) failGltf(input, fmt::format("it is of glTF version {}, not 2", version));
   if (littleEndian32(input.bytes, 8) > input.bytes.size()) {
-    failGltf(input, "the file is shorter than its header says, it is damaged or incomplete");
+    failGltf(input, "the file is shorter than its header says; it is damaged or incomplete");
   }
   const std::uint32_t size = littleEndian32(input.bytes, 12);
   if (size > input.bytes.size() - headerBytes) {

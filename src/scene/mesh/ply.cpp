@@ -210,8 +210,12 @@ class Body {
 
  private:
   [[noreturn]] void truncated(const Element& element) const {
-    fail(input_, fmt::format("the file ends before its {} '{}' do, it is damaged or incomplete",
-                             element.count, cleanText(element.name, 40)));
+    const std::string many = element.name == "vertex" ? "vertices"
+                             : element.name == "face"
+                                 ? "faces"
+                                 : fmt::format("'{}' elements", cleanText(element.name, 40));
+    fail(input_, fmt::format("the file ends before all of its {} {}; it is damaged or incomplete",
+                             element.count, many));
   }
 
   double nextText(const Element& element) {

@@ -158,10 +158,11 @@ std::vector<Repair> repairMesh(RawMesh& mesh, const std::string& object) {
   addRepair(repairs, "unused vertices", countUnused(mesh));
   addRepair(repairs, "degenerate triangles", mesh.badPolygons + removeDegenerate(mesh));
   if (mesh.triangles.empty()) {
-    throw Error(hadFaces ? fmt::format("{}: every face is degenerate, there is no surface", object)
-                         : fmt::format("{}: there is no face, only triangle meshes have a surface "
-                                       "that can be rendered",
-                                       object));
+    throw Error(hadFaces
+                    ? fmt::format("{}: every face is degenerate, so there is no surface", object)
+                    : fmt::format("{}: there is no face; only triangle meshes have a surface "
+                                  "that can be rendered",
+                                  object));
   }
   std::vector<std::uint32_t> points = sewn(mesh.positions, mesh.triangles);
   if (const std::size_t moved = closeSeams(mesh, points); moved > 0) {

@@ -100,7 +100,7 @@ TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
   SceneFileSettings settings;
   EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
-            "exposed by -1 stops to suit the light; --exposure 0 turns this off");
+            "exposure set to -1 stops to suit the light; --exposure 0 keeps it at 0");
   settings.picture.set(options::fieldOf<options::PictureSettings>("exposure"), 0.0F);
   EXPECT_EQ(toneOf(settings, bright).exposureStops, 0);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)), std::nullopt);

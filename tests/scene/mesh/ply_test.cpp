@@ -196,7 +196,7 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
           "end_header\n0 0 0\n",
           format, more, vertices, faces);
     };
-    EXPECT_THAT(errorOf(file("4000000000000", "1")), HasSubstr("4000000000000"));
+    EXPECT_THAT(errorOf(file("4000000000000", "1")), HasSubstr("4000000000000 vertices"));
     EXPECT_THAT(errorOf(file("99999999999999999999999", "1")), HasSubstr("number"));
     errorOf(file("0", "4000000000000"));
     // An element without properties takes no bytes.
@@ -207,7 +207,7 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
       "property float y\nproperty float z\nelement face 1\n"
       "property list uint int vertex_indices\nend_header\n";
   list += std::string(12, '\0') + "\xFF\xFF\xFF\xFF" + std::string(8, '\0');
-  EXPECT_THAT(errorOf(list), HasSubstr("ends before"));
+  EXPECT_THAT(errorOf(list), HasSubstr("ends before all of its 1 faces"));
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
