@@ -173,6 +173,7 @@ class Refusals(ProgramTest):
             ("--method", "ours", "must be paper"),
             ("--medium", "marbel", "did you mean marble?"),
             ("--builtin", "bunny", "bear, teapot"),
+            ("--color-model", "bogus", "observed, khr"),
             ("-o", "a.jpg", "must end in .png, .exr or .mp4"),
             ("-o", "png", "must end in .png, .exr or .mp4"),
             ("--report", "a.txt", ".json"),

@@ -59,7 +59,13 @@ void MediumOptions::read(const Given& given) {
       throw UsageError(fmt::format("{} {}: the name of an object is missing after the @",
                                    given.option, given.text));
     }
-    ofObjects_.push_back({std::string(text.substr(at + 1)), medium});
+    const std::string_view object = text.substr(at + 1);
+    for (const MediumOfObject& before : ofObjects_) {
+      if (before.object != object) continue;
+      throw UsageError(
+          fmt::format("{} {}: the medium of this object is given twice", given.option, text));
+    }
+    ofObjects_.push_back({std::string(object), medium});
     return;
   }
   if (named_) {
