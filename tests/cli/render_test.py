@@ -374,7 +374,7 @@ class Look(Render):
 
         # Three stops above the brightest light that is left as it is.
         followed, picture = made("followed.png", "--report", "report.json")
-        self.assertIn("exposed by -3 stops", followed.err)
+        self.assertIn("exposure set to -3 stops", followed.err)
         self.assertEqual(json.loads((self.folder / "report.json").read_text())["exposure_stops"], -3)
         told, same = made("told.png", "--exposure", "-3")
         self.assertNotIn("exposure", told.err)

@@ -56,7 +56,8 @@ Posed squash(Posed p, DeformerData d) {
   float wide = inversesqrt(tall);
   vec3 fixedPoint = d.box.xyz;
   vec3 scale = vec3(wide, tall, wide);
-  return Posed(fixedPoint + scale * (p.position - fixedPoint), p.normal / scale);
+  // Exactly the place at rest where nothing is squashed.
+  return Posed(p.position + (scale - 1.0) * (p.position - fixedPoint), p.normal / scale);
 }
 
 Posed wobble(Posed p, DeformerData d) {
