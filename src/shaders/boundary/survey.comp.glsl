@@ -243,7 +243,7 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofTh
   // Any share is right in a channel that is dark.
   vec3 share = mix(vec3(evenShare), overOr0(sum.free, sum.all), greaterThan(sum.all, vec3(1e-30)));
   if (!looks) share = vec3(raysOutwards > 0u ? 0.0 : 1.0);
-  float openness = looks ? opennessOf(sum) : 1.0;
+  float openness = opennessOf(sum);
   skyShares[i] = vec4(share, openness * (sum.all.r + sum.all.g + sum.all.b));
   // For an opaque body, the harmonic mean distance to what is around.
   float room = looks ? (sum.meets > 0.0 ? sum.meets / sum.nearness : 3e38) : 0.0;
