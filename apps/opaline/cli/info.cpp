@@ -16,6 +16,7 @@
 #include "cli/material_textures.h"
 #include "cli/measures.h"
 #include "cli/medium_options.h"
+#include "cli/object_sizes.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/scene_options.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -84,12 +83,5 @@ class CameraOptions {
   std::optional<Vec3> target_;    ///< likewise
   options::Chosen<Camera> chosen_;
 };
-
-/// Of the box around an object.
-std::array<double, 3> sizeMm(const Object& object);
-
-/// Sentences about objects that are so large or so small beside how far light goes in them that
-/// their size was probably not meant: of each medium the farthest off, with how many others.
-std::vector<std::string> notesOnSize(const Scene& scene);
 
 }  // namespace opaline::app

@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "cli/motion_options.h"
+#include "cli/object_sizes.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/picture_options.h"
