@@ -70,8 +70,7 @@ struct RenderOptions {
   Site site = Site::Auto;
   float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
   int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;    ///< largest number, for boundary transport or hidden sky; in
-                             ///< [64, 262144]
+  int maxClusters = 8192;    ///< for boundary transport or hidden sky, in [64, 262144]
   static constexpr int maxBounces = 8;
   int bounces = 2;  ///< times that light leaves and enters again in Transport::Boundary, in [0, 8]
   bool ambientOcclusion = false;  ///< whether surfaces hide ambient light and environment; with
