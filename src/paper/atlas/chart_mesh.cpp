@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <numeric>
 #include <utility>
+
+#include "core/disjoint_sets.h"
 
 namespace opaline::atlas {
 namespace {
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 std::uint32_t localIndex(const Chart& chart, std::uint32_t triangle) {
   const auto place = std::lower_bound(chart.begin(), chart.end(), triangle);
@@ -65,7 +47,7 @@ void traceLoops(ChartMesh& mesh) {
 ChartMesh extract(const Topology& topology, const Chart& chart) {
   ChartMesh mesh;
   const auto count = static_cast<std::uint32_t>(chart.size());
-  DisjointSets corners(3 * chart.size());
+  core::DisjointSets corners(3 * chart.size());
   std::vector<std::array<std::uint32_t, 2>> borderCorners;
   std::size_t innerEdges = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -78,8 +60,8 @@ ChartMesh extract(const Topology& topology, const Chart& chart) {
         continue;
       }
       const Triangle& opposite = topology.triangles[chart[other]];
-      corners.unite(3 * i + e, 3 * other + cornerOf(opposite, triangle[e]));
-      corners.unite(3 * i + next, 3 * other + cornerOf(opposite, triangle[next]));
+      corners.join(3 * i + e, 3 * other + cornerOf(opposite, triangle[e]));
+      corners.join(3 * i + next, 3 * other + cornerOf(opposite, triangle[next]));
       ++innerEdges;
     }
   }

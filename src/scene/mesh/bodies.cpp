@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/disjoint_sets.h"
 #include "scene/mesh/insides.h"
 #include "scene/repair/topology.h"
 
@@ -26,7 +27,7 @@ void append(const Mesh& mesh, std::vector<Vec3>& positionsMm, std::vector<Triang
 
 std::vector<std::uint32_t> bodyOfObjects(const Scene& scene) {
   const std::vector<Object>& objects = scene.objects;
-  DisjointSets bodies(objects.size());
+  core::DisjointSets bodies(objects.size());
   if (std::count_if(objects.begin(), objects.end(), mayHangTogether) > 1) {
     Mesh all;
     std::vector<std::uint32_t> objectOfTriangle;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/disjoint_sets.h"
 #include "scene/repair/topology.h"
 #include "scene/vector_math.h"
 
@@ -28,7 +29,7 @@ double areaOf(std::span<const Vec3> positions, const Triangle& t) {
 std::vector<bool> trianglesWithInside(std::span<const Vec3> positions,
                                       std::span<const Triangle> triangles) {
   const std::vector<Triangle> surface = renamed(triangles, sewn(positions, triangles));
-  DisjointSets parts(positions.size());
+  core::DisjointSets parts(positions.size());
   for (const Triangle& t : surface) {
     parts.join(t[0], t[1]);
     parts.join(t[0], t[2]);
@@ -37,7 +38,7 @@ std::vector<bool> trianglesWithInside(std::span<const Vec3> positions,
   for (const Triangle& t : surface) area[parts.find(t[0])] += areaOf(positions, t);
   // Border sides that are connected bound one hole.
   const std::vector<HalfEdge> edges = sortedHalfEdges(surface);
-  DisjointSets borders(positions.size());
+  core::DisjointSets borders(positions.size());
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 1) borders.join(edge[0].low, edge[0].high);
   });

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/possible_position.h"
 #include "opaline/error.h"
 #include "scene/mesh/bodies.h"
@@ -59,7 +60,7 @@ MeshFacts bordersAndParts(std::span<const Vec3> positionsMm, std::span<const Tri
   scene::requireSound(positionsMm, triangles);
   const std::vector<Triangle> surface =
       scene::renamed(triangles, scene::sewn(positionsMm, triangles));
-  scene::DisjointSets vertices(positionsMm.size());
+  core::DisjointSets vertices(positionsMm.size());
   for (const Triangle& t : surface) {
     vertices.join(t[0], t[1]);
     vertices.join(t[0], t[2]);

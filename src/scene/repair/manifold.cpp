@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/disjoint_sets.h"
 #include "scene/repair/topology.h"
 
 namespace opaline::scene {
@@ -16,8 +17,8 @@ bool isManifold(std::span<const HalfEdge> edge) {
 
 /// Puts every corner into the set of its fan: the triangles around a point that are connected
 /// through manifold edges.
-DisjointSets fansOf(std::span<const HalfEdge> edges, std::size_t triangles) {
-  DisjointSets fans(3 * triangles);
+core::DisjointSets fansOf(std::span<const HalfEdge> edges, std::size_t triangles) {
+  core::DisjointSets fans(3 * triangles);
   const auto corner = [](const HalfEdge& half, std::uint32_t step) {
     return 3 * half.triangle + (half.corner + step) % 3;
   };
@@ -39,7 +40,7 @@ std::uint32_t copyVertex(RawMesh& mesh, std::uint32_t v) {
 
 /// Gives every fan at a point of a cut edge its own vertices.
 void separateFans(RawMesh& mesh, std::span<const std::uint32_t> points,
-                  const std::vector<bool>& cutPoint, DisjointSets& fans) {
+                  const std::vector<bool>& cutPoint, core::DisjointSets& fans) {
   struct Corner {
     std::uint32_t vertex, fan, name;
   };
@@ -99,7 +100,7 @@ std::size_t cutNonManifoldEdges(RawMesh& mesh, std::span<const std::uint32_t> po
     cutPoint[edge[0].low] = cutPoint[edge[0].high] = true;
   });
   if (cuts == 0) return 0;
-  DisjointSets fans = fansOf(edges, surface.size());
+  core::DisjointSets fans = fansOf(edges, surface.size());
   separateFans(mesh, points, cutPoint, fans);
   detachRest(mesh);
   return cuts;

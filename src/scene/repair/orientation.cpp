@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/disjoint_sets.h"
 #include "scene/repair/topology.h"
 #include "scene/vector_math.h"
 
@@ -83,7 +84,7 @@ void addFans(const RawMesh& mesh, std::span<const Triangle> surface,
     std::uint32_t from, to, component, loop;
   };
   std::vector<Side> sides;
-  DisjointSets loops(mesh.positions.size());
+  core::DisjointSets loops(mesh.positions.size());
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 2) return;
     for (const HalfEdge& half : edge) {

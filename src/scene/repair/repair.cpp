@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/equal_positions.h"
 #include "opaline/error.h"
 #include "scene/mesh/normals.h"
 #include "scene/repair/manifold.h"
@@ -101,7 +102,7 @@ std::size_t keepFirst(std::vector<Triangle>& triangles, const std::vector<Triang
 }
 
 std::size_t removeDuplicateFaces(RawMesh& mesh, std::span<const std::uint32_t> points) {
-  std::vector<Triangle> keys = renamed(mesh.triangles, equalPositions(mesh.positions));
+  std::vector<Triangle> keys = renamed(mesh.triangles, core::equalPositions(mesh.positions));
   std::transform(keys.begin(), keys.end(), keys.begin(), rotated);
   std::size_t removed = keepFirst(mesh.triangles, keys);
   // The two faces of a leaf without thickness would cancel each other's normals.

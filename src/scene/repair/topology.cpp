@@ -1,31 +1,11 @@
 #include "scene/repair/topology.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "core/disjoint_sets.h"
+#include "core/equal_positions.h"
 
 namespace opaline::scene {
-
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-  std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t member) {
-  while (parent_[member] != member) {
-    parent_[member] = parent_[parent_[member]];
-    member = parent_[member];
-  }
-  return member;
-}
-
-void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
-  a = find(a);
-  b = find(b);
-  if (a < b) {
-    parent_[b] = a;
-  } else {
-    parent_[a] = b;
-  }
-}
 
 std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
   std::vector<HalfEdge> edges;
@@ -43,20 +23,6 @@ std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
     return a.triangle < b.triangle;
   });
   return edges;
-}
-
-std::vector<std::uint32_t> equalPositions(std::span<const Vec3> positions) {
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return positions[a] != positions[b] ? positions[a] < positions[b] : a < b;
-  });
-  std::vector<std::uint32_t> first(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
-  }
-  return first;
 }
 
 std::vector<Triangle> renamed(std::span<const Triangle> triangles,
@@ -100,9 +66,9 @@ std::vector<OpenSide> openSides(std::span<const Triangle> triangles,
 
 std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
                                 std::span<const Triangle> triangles) {
-  const std::vector<std::uint32_t> places = equalPositions(positions);
+  const std::vector<std::uint32_t> places = core::equalPositions(positions);
   const std::vector<OpenSide> open = openSides(triangles, places);
-  DisjointSets sets(positions.size());
+  core::DisjointSets sets(positions.size());
   for (std::size_t i = 1; i < open.size(); ++i) {
     if (open[i].lowPlace == open[i - 1].lowPlace && open[i].highPlace == open[i - 1].highPlace) {
       sets.join(open[i].low, open[i - 1].low);
@@ -125,7 +91,7 @@ std::uint32_t cornerName(std::uint32_t triangle, std::uint32_t corner) {
 // A fan is the corners around one vertex that are connected through triangles. Two boundary sides
 // belong to one loop when they share a fan.
 Borders bordersOf(std::span<const Triangle> triangles, std::span<const HalfEdge> edges) {
-  DisjointSets corners(3 * triangles.size());
+  core::DisjointSets corners(3 * triangles.size());
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 2) return;
     const auto [t0, c0] = std::pair{edge[0].triangle, std::uint32_t{edge[0].corner}};
@@ -134,7 +100,7 @@ Borders bordersOf(std::span<const Triangle> triangles, std::span<const HalfEdge>
     corners.join(cornerName(t0, c0), cornerName(t1, opposed ? c1 + 1 : c1));
     corners.join(cornerName(t0, c0 + 1), cornerName(t1, opposed ? c1 : c1 + 1));
   });
-  DisjointSets loops(3 * triangles.size());
+  core::DisjointSets loops(3 * triangles.size());
   std::vector<std::uint32_t> starts;
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 1) return;

@@ -10,17 +10,6 @@
 
 namespace opaline::scene {
 
-/// Index sets merged pairwise. A set's name is its smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count);
-  std::uint32_t find(std::uint32_t member);
-  void join(std::uint32_t a, std::uint32_t b);
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// A side of a triangle, from `corner` to the next.
 struct HalfEdge {
   std::uint32_t low = 0;   ///< the smaller vertex
@@ -47,9 +36,6 @@ void forEachEdge(std::span<const HalfEdge> sorted, Visit&& visit) {
     begin = end;
   }
 }
-
-/// For every position the index of the first equal one.
-std::vector<std::uint32_t> equalPositions(std::span<const Vec3> positions);
 
 /// For every vertex the smallest vertex that is the same point of the surface. Open edges that
 /// coincide are sewn together. Surfaces stay apart if they only touch in a point, or if the edges
