@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "surfels/clusters.h"
+#include "surfels/layers.h"
 #include "surfels/vector.h"
 
 namespace opaline::surfels {
@@ -78,10 +79,11 @@ Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std:
   }
 }
 
-// Sets the items' facings so that the two sides of a thin part are further apart than a surfel or
-// cluster is large, and so are not joined.
+// Sets the items' facings and layers so that the two sides of a thin part, and parts that lie upon
+// each other, are further apart than a surfel or cluster is large, and so are not joined.
 void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pieces,
-                    std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
+                    const Layers& layers, std::uint32_t piecesPerSurfel,
+                    std::span<TreeItem> items) {
   double area = 0;
   for (const TreeItem& item : items) {
     const Piece& piece = pieces[item.index];
@@ -89,11 +91,13 @@ void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pie
   }
   const double surfels = static_cast<double>(items.size()) / piecesPerSurfel;
   const double sizeMm = std::max(usualClusterMm(area), 2 * std::sqrt(area / surfels));
-  for (TreeItem& item : items) {
-    const std::array<double, 3> cross = crossOf(surface, pieces[item.index].triangle);
+  const std::vector<std::uint8_t> layerOfItem = layers.ofItems(pieces, items, sizeMm);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items[i].layerMm = static_cast<float>(2 * sizeMm * layerOfItem[i]);
+    const std::array<double, 3> cross = crossOf(surface, pieces[items[i].index].triangle);
     const double length = std::hypot(cross[0], cross[1], cross[2]);
     for (std::size_t axis = 0; axis < 3 && length > 0; ++axis)
-      item.facingMm[axis] = static_cast<float>(sizeMm * cross[axis] / length);
+      items[i].facingMm[axis] = static_cast<float>(sizeMm * cross[axis] / length);
   }
 }
 
@@ -104,6 +108,7 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
                                                   std::uint32_t piecesPerSurfel,
                                                   const Linings& linings) {
   const std::size_t lists = linings.any() ? 2 : 1;
+  const Layers layers(surface);
   std::vector<std::vector<TreeItem>> items(lists * objects);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     const std::uint32_t triangle = pieces[i].triangle;
@@ -112,7 +117,7 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
         {middleOfMm(surface, pieces[i]), i});
   }
   for (std::vector<TreeItem>& list : items) {
-    tellSidesApart(surface, pieces, piecesPerSurfel, list);
+    tellSidesApart(surface, pieces, layers, piecesPerSurfel, list);
     while (list.size() % piecesPerSurfel != 0) {
       Piece empty = pieces[list.back().index];
       empty.fraction = 0;

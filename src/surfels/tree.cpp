@@ -9,9 +9,12 @@ namespace opaline::surfels {
 
 namespace {
 
-// Axes 0 to 2 are places, 3 to 5 facings.
+// Axes 0 to 2 are places, 3 to 5 facings, 6 is the layer.
+constexpr std::size_t axes = 7;
+
 float coordinate(const TreeItem& item, std::size_t axis) {
-  return axis < 3 ? item.placeMm[axis] : item.facingMm[axis - 3];
+  if (axis < 3) return item.placeMm[axis];
+  return axis < 6 ? item.facingMm[axis - 3] : item.layerMm;
 }
 
 struct Range {
@@ -28,7 +31,6 @@ Range rangeOf(std::span<const TreeItem> items, std::size_t axis) {
 }
 
 std::size_t longestAxis(std::span<const TreeItem> items) {
-  constexpr std::size_t axes = 6;
   std::size_t longest = 0;
   float length = -1;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -61,8 +63,8 @@ class TreeBuilder {
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(tree_.links.size()); }
 
   // How many surfels go into the lower half along an axis. Places are cut at the median, but
-  // facings, and places with a gap, in the middle of their range: at the median the larger of two
-  // sides would keep a part of the other.
+  // facings, layers and places with a gap in the middle of their range: at the median the larger of
+  // two sides would keep a part of the other.
   std::size_t surfelsInFront(std::span<const TreeItem> items, std::size_t axis) const {
     const std::size_t surfels = items.size() / itemsPerSurfel_;
     if (surfels < 2 * leastSurfelsOfLeaf) return surfels / 2;

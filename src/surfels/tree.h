@@ -39,14 +39,15 @@ NodeLink linkOf(const Tree& tree, std::uint32_t node);
 struct TreeItem {
   Vec3 placeMm{};
   std::uint32_t index = 0;
-  Vec3 facingMm{};  ///< normal, which separates items as places do; 0: does not
+  Vec3 facingMm{};    ///< normal, which separates items as places do; 0: does not
+  float layerMm = 0;  ///< separates what lies upon each other as places do
 };
 
 /// Orders the items of each object so that neighbours in the order are neighbours in space and
 /// every `itemsPerSurfel` of them are one surfel, and makes their tree. It halves items along the
-/// longest axis of places and facings: places at the median or in a gap, facings in the middle, so
-/// that the two sides are separated as a whole. Every object's number of items is a multiple of
-/// itemsPerSurfel.
+/// longest axis of places, facings and layers: places at the median or in a gap, facings and layers
+/// in the middle, so that sides and layers are separated as a whole. Every object's number of items
+/// is a multiple of itemsPerSurfel.
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel);
 
 }  // namespace opaline::surfels
