@@ -14,8 +14,8 @@
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
-// A node is opened nearer than this many of its radii, squared, because the series would not converge there.
-const float nearestInRadii2 = 2.0;
+// A node is opened nearer than this many of its radii, squared: within its radius the series would not converge.
+const float nearestInRadii2 = 1.25;
 
 // In a node whose surfels lie evenly about its centroid, the first term left out that does not cancel
 // is of fourth order, F g⁴ f⁗/24 with the mean square g². This much of it counts as the error.
