@@ -94,17 +94,12 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
-  const auto near = nearest(word, candidates);
-  return near ? fmt::format("; the nearest is '{}'", *near) : "";
-}
-
-std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates) {
-  constexpr std::size_t mostListed = 4;
-  std::string near = suggestion(word, candidates);
-  if (!near.empty() || candidates.empty()) return near;
+std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates,
+                             std::size_t most) {
+  if (candidates.empty()) return "";
+  if (const auto near = nearest(word, candidates)) return fmt::format("; the nearest is '{}'", *near);
   return fmt::format("; there {} {}", candidates.size() == 1 ? "is only" : "are",
-                     listed(candidates, mostListed));
+                     listed(candidates, most));
 }
 
 std::string listed(std::span<const std::string_view> words) {

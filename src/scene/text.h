@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,11 +15,10 @@ std::string cleanText(std::string_view text, std::size_t longest = 200);
 /// Whether the text is well-formed UTF-8.
 bool isUtf8(std::string_view text);
 
-/// "; the nearest is 'a'" where one differs by at most about a third of the word, or nothing.
-std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
-
-/// The same, or where none is near some of those there are: "; there are 'a', 'b' and 7 more".
-std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates);
+/// "; the nearest is 'a'" where one differs by at most about a third of the word; otherwise those
+/// there are, at most so many: "; there are 'a', 'b' and 7 more".
+std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates,
+                             std::size_t most = 4);
 
 /// Lists words as "'a', 'b' and 'c'".
 std::string listed(std::span<const std::string_view> words);

@@ -29,7 +29,7 @@ void TomlTable::requireKeys(std::span<const std::string_view> known,
   };
   for (const auto& [key, value] : table_) {
     if (holds(known, key.str()) || holds(hidden, key.str())) continue;
-    fail(key.str(), "is not a known key" + suggestion(key.str(), known));
+    fail(key.str(), "is not a known key" + suggestionOrList(key.str(), known, known.size()));
   }
 }
 

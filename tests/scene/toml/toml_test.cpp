@@ -363,8 +363,8 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
 TEST_F(Toml, AnUnknownNameIsToldANearOneOrThoseThereAre) {
   EXPECT_THAT(errorOf("model = 'cube.ply'\ndiagonal = 3\n"),
               HasSubstr("not a known key; the nearest is 'diagonal_mm'"));
-  EXPECT_THAT(errorOf("model = 'cube.ply'\n[render]\nresolution = 3\n"),
-              testing::EndsWith("'resolution' in [render] is not a known key"));
+  EXPECT_THAT(errorOf("model = 'cube.ply'\n[ground]\nresolution = 3\n"),
+              testing::EndsWith("is not a known key; there are 'color' and 'height_mm'"));
   EXPECT_THAT(errorOf("model = 'cube.ply'\n[objects.cubo]\n"), HasSubstr("the nearest is 'cube'"));
   EXPECT_THAT(errorOf("model = 'cube.ply'\n[objects.teapot]\n"), HasSubstr("there is only 'cube'"));
 }
