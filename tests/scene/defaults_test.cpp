@@ -75,12 +75,10 @@ TEST(Text, BadBytesAreReplaced) {
 
 TEST(Text, NearestIsByEditDistance) {
   const std::vector<std::string_view> keys{"medium", "model", "media"};
-  EXPECT_EQ(scene::suggestion("modle", keys), "; the nearest is 'model'");
-  EXPECT_EQ(scene::suggestion("meduim", keys), "; the nearest is 'medium'");
-  EXPECT_EQ(scene::suggestion("model_of", keys), "; the nearest is 'model'");
-  EXPECT_EQ(scene::suggestion("x", keys), "");
-  EXPECT_EQ(scene::suggestion("", keys), "");
-  EXPECT_EQ(scene::suggestion("x", {}), "");
+  EXPECT_EQ(scene::suggestionOrList("modle", keys), "; the nearest is 'model'");
+  EXPECT_EQ(scene::suggestionOrList("meduim", keys), "; the nearest is 'medium'");
+  EXPECT_EQ(scene::suggestionOrList("model_of", keys), "; the nearest is 'model'");
+  EXPECT_EQ(scene::suggestionOrList("", keys), "; there are 'medium', 'model' and 'media'");
 }
 
 TEST(Text, WhatIsThereIsListedWhereNothingIsNear) {
@@ -88,6 +86,7 @@ TEST(Text, WhatIsThereIsListedWhereNothingIsNear) {
   EXPECT_EQ(scene::suggestionOrList("pott", names), "; the nearest is 'pot'");
   EXPECT_EQ(scene::suggestionOrList("saucer", names),
             "; there are 'lid', 'pot', 'spout', 'handle' and 2 more");
+  EXPECT_EQ(scene::suggestionOrList("saucer", names, 1), "; there are 'lid' and 5 more");
   EXPECT_EQ(scene::suggestionOrList("saucer", std::span(names).first(1)), "; there is only 'lid'");
   EXPECT_EQ(scene::suggestionOrList("saucer", {}), "");
 }
