@@ -97,7 +97,8 @@ bool isUtf8(std::string_view text) {
 std::string suggestionOrList(std::string_view word, std::span<const std::string_view> candidates,
                              std::size_t most) {
   if (candidates.empty()) return "";
-  if (const auto near = nearest(word, candidates)) return fmt::format("; the nearest is '{}'", *near);
+  if (const auto near = nearest(word, candidates))
+    return fmt::format("; the nearest is '{}'", *near);
   return fmt::format("; there {} {}", candidates.size() == 1 ? "is only" : "are",
                      listed(candidates, most));
 }
