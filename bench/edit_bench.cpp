@@ -1,6 +1,6 @@
 // The time of a frame while somebody edits a still scene: with everything computed anew, while a
 // light is dragged, and while the camera moves. Options are those of the window on a slow device:
-// one sample per pixel, light at vertices, coarse clusters and surfels.
+// one sample per pixel, light at vertices, coarse clusters, surfels and shadow maps.
 
 #include <fmt/format.h>
 
@@ -31,6 +31,7 @@ RenderOptions optionsOfWindow() {
   options.tolerance = 0.05F;
   options.maxClusters = 1024;
   options.maxSurfels = 24576;
+  options.shadowSize = 512;
   return options;
 }
 

@@ -54,6 +54,9 @@ TEST(SessionTest, IsDividedCoarselyWhereSurfelsMayBeLarger) {
   EXPECT_EQ(coarselyDivided(options, 10).maxSurfels, 1024);
   options.maxClusters = 500;
   EXPECT_EQ(coarselyDivided(options, 40'000).maxClusters, 500);
+  EXPECT_EQ(coarselyDivided(options, 40'000).shadowSize, 512);
+  options.shadowSize = 256;
+  EXPECT_EQ(coarselyDivided(options, 40'000).shadowSize, 256);
 }
 
 }  // namespace

@@ -43,11 +43,13 @@ RenderOptions coarser(const RenderOptions& options) {
 
 RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels) {
   constexpr int clusters = 1024;
+  constexpr int shadowTexels = 512;
   // Surfels of twice the size still resolve a medium's light. With larger ones the sums over them
   // would take longer.
   constexpr std::size_t surfelsForOne = 4;
   RenderOptions coarse = coarser(options);
   coarse.maxClusters = std::min(options.maxClusters, clusters);
+  coarse.shadowSize = std::min(options.shadowSize, shadowTexels);
   const double least = opaline::options::fieldOf<opaline::options::PictureSettings>("max_surfels")
                            .allowed.range.least;
   const bool asTheMediumAsks = surfels < static_cast<std::size_t>(options.maxSurfels);
