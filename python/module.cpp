@@ -38,6 +38,8 @@ void bindErrors(py::module_& module) {
       PyErr_SetString(errors.usageError, withKeywordNames(error.what()).c_str());
     } catch (const Error& error) {
       PyErr_SetString(errors.error, withKeywordNames(error.what()).c_str());
+    } catch (const py::cast_error&) {
+      PyErr_SetString(PyExc_TypeError, "an argument has a type that it cannot have");
     }
   });
 }

@@ -101,9 +101,10 @@ class PythonRenderer {
       const auto found = std::find(clips_.begin(), clips_.end(), name);
       if (found == clips_.end()) throw UsageError(fmt::format("There is no clip '{}'.", name));
       time.clip = static_cast<int>(found - clips_.begin());
-    } else if (py::isinstance<py::int_>(clip)) {
+    } else if (PyIndex_Check(clip.ptr()) != 0) {
       int isBeyond = 0;
-      const long index = PyLong_AsLongAndOverflow(clip.ptr(), &isBeyond);
+      const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(clip.ptr()));
+      const long index = PyLong_AsLongAndOverflow(number.ptr(), &isBeyond);
       if (isBeyond != 0 || index != static_cast<int>(index))
         throw UsageError(fmt::format("There is no clip {}.", py::str(clip).cast<std::string>()));
       time.clip = static_cast<int>(index);

@@ -45,6 +45,7 @@ void placeGround(const opaline::Scene& scene, const Object& ground, Body& body) 
 
 Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
                  const PositionsByObject& positionsMm) {
+  deform::requireTime(scene, time);
   deform::requireFit(scene, positionsMm);
   scene::Pose pose = scene::makePose(scene);
   scene::poseAt(scene, time.clip, time.seconds, pose);

@@ -8,7 +8,8 @@
 
 namespace opaline {
 
-/// The scene's camera at a time of a clip.
+/// The scene's camera at a time of a clip. Here and below, the scene must be one that
+/// Renderer::setScene accepts.
 OPALINE_API Camera cameraAt(const Scene& scene, const SceneTime& time);
 
 /// Whether a clip moves the camera.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -114,5 +115,8 @@ struct Deformer {
 
   bool operator==(const Deformer&) const = default;
 };
+
+/// The largest number of deformers of a scene.
+constexpr std::size_t maxDeformers = 8;
 
 }  // namespace opaline

@@ -36,7 +36,7 @@ enum class Aov {
                ///< surfaces hide as for ambientOcclusion. Light that left and enters again does not
                ///< count
   Position,    ///< mm
-  Normal,      ///< unit
+  Normal,      ///< unit, within 0.0005
   Depth,       ///< distance along the viewing axis, mm, in R, G and B
   Evaluations,  ///< of the profile, per pixel or interpolated from vertices, in R, G and B
   Object,       ///< index of the object, from 0, in R, G and B
@@ -45,7 +45,7 @@ enum class Aov {
   /// levels below its object's root. Not for Sum::Pattern.
   Surfels,
   DsmPosition,    ///< the diffusion source map: mm
-  DsmNormal,      ///< the diffusion source map: unit
+  DsmNormal,      ///< the diffusion source map: unit, within 0.0005
   DsmIrradiance,  ///< the diffusion source map: E
   DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
 };

@@ -183,6 +183,10 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// Why an environment cannot be rendered, as a sentence; empty if it can. It looks at every value,
+/// whereas complaintAbout(Lighting) only counts those of its environment.
+OPALINE_API std::string complaintAboutEnvironment(const Image& environment);
+
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.
 OPALINE_API std::string complaintAbout(const DirectionalLight& light);
 OPALINE_API std::string complaintAbout(const PointLight& light);

@@ -1,5 +1,7 @@
 #include "opaline/motion.h"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -34,9 +36,11 @@ OpalineStatus opalineClipFacts(const OpalineScene* scene, size_t clip, OpalineCl
 OpalineStatus opalineAddDeformer(OpalineScene* scene, OpalineDeformerKind kind, float amount,
                                  float periodSeconds) {
   return guarded([&] {
-    required(scene, "scene")
-        .scene.deformers.push_back(c::sound(Deformer{
-            c::choiceOf<DeformerKind>(kind, OpalineWobble, "deformer"), amount, periodSeconds}));
+    std::vector<Deformer>& deformers = required(scene, "scene").scene.deformers;
+    if (deformers.size() == maxDeformers)
+      throw UsageError(fmt::format("There may be {} deformers.", maxDeformers));
+    deformers.push_back(c::sound(Deformer{
+        c::choiceOf<DeformerKind>(kind, OpalineWobble, "deformer"), amount, periodSeconds}));
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/sound_image.h"
 #include "opaline/error.h"
 
 namespace opaline::compare {
@@ -133,6 +134,8 @@ void require(bool met, const char* otherwise) {
 void requireOneSize(const Image& a, const Image& b) {
   require(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size(),
           "images that are compared must have the same size");
+  core::requireSound(a);
+  core::requireSound(b);
 }
 
 void requireComparable(const Image& a, const Image& b, const Selection& selection) {

@@ -5,6 +5,7 @@
 
 #include "compare/cie_color.h"
 #include "compare/plane.h"
+#include "core/sound_image.h"
 #include "opaline/compare.h"
 #include "opaline/error.h"
 #include "opaline/tone.h"
@@ -193,6 +194,8 @@ Seen look(const Image8& picture, double pixelsPerDegree) {
 Plane flipMap(const Image8& a, const Image8& b, double pixelsPerDegree) {
   if (a.width != b.width || a.height != b.height)
     throw UsageError("images that are compared must have the same size");
+  core::requireSound(a);
+  core::requireSound(b);
   if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000))
     throw UsageError("pixels per degree must be from 1 to 1000");
   const Seen seenA = look(a, pixelsPerDegree);

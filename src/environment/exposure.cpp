@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "environment/lat_long.h"
 #include "environment/sky_irradiance.h"
 #include "lights/area.h"
 #include "lights/spot.h"
+#include "opaline/error.h"
 
 namespace opaline {
 
@@ -126,6 +128,8 @@ double brightestWhite(const Scene& scene) {
 }  // namespace
 
 float automaticExposureStops(const Scene& scene) {
+  if (const std::string complaint = complaintAbout(scene.lighting); !complaint.empty())
+    throw Error(complaint);
   const double white = brightestWhite(scene);
   if (!(white > 0)) return 0;
   const double stops = std::log2(std::clamp(white, darkest, brightest) / white);

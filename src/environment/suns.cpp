@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "environment/halved.h"
 #include "environment/lat_long.h"
+#include "opaline/error.h"
 
 namespace opaline {
 
@@ -209,10 +211,14 @@ DirectionalLight lightOf(const Spot& sun) {
 }  // namespace
 
 Suns findSuns(std::shared_ptr<const Image> environment) {
+  if (environment) {
+    const std::string complaint = complaintAboutEnvironment(*environment);
+    if (!complaint.empty()) throw Error(complaint);
+  }
   while (environment && environment->width > mostColumns)
     environment = std::make_shared<const Image>(halved(*environment));
   Suns suns{{}, environment};
-  if (!environment || environment->width == 0 || environment->height == 0) return suns;
+  if (!environment) return suns;
   SunFinder finder(*environment);
   const std::vector<Spot> found = finder.find();
   if (found.empty()) return suns;

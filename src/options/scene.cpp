@@ -393,7 +393,35 @@ std::size_t shadowMapsOf(const SpotLight& light) {
   return light.outerDegrees <= widestView ? 1 : mapsOfCube;
 }
 
+namespace {
+
+std::string complaintAboutSize(const Image& environment) {
+  const bool isSound =
+      environment.width > 0 && environment.height > 0 &&
+      environment.rgba.size() / 4 / static_cast<std::size_t>(environment.width) ==
+          static_cast<std::size_t>(environment.height) &&
+      environment.rgba.size() % (4 * static_cast<std::size_t>(environment.width)) == 0;
+  if (isSound) return "";
+  return fmt::format(
+      "the environment has {}x{} pixels and {} values, but needs four for each pixel",
+      environment.width, environment.height, environment.rgba.size());
+}
+
+}  // namespace
+
+std::string complaintAboutEnvironment(const Image& environment) {
+  if (std::string complaint = complaintAboutSize(environment); !complaint.empty()) return complaint;
+  for (std::size_t i = 0; i < environment.rgba.size(); ++i)
+    if (i % 4 != 3 && !(environment.rgba[i] >= 0 && std::isfinite(environment.rgba[i])))
+      return fmt::format("pixel {} of the environment is negative or not finite", i / 4);
+  return "";
+}
+
 std::string complaintAbout(const Lighting& lighting) {
+  if (lighting.environment) {
+    std::string complaint = complaintAboutSize(*lighting.environment);
+    if (!complaint.empty()) return complaint;
+  }
   const std::size_t directional = lighting.directional.size();
   const std::size_t points = lighting.points.size();
   const std::size_t spots = lighting.spots.size();

@@ -168,9 +168,10 @@ void validate(const std::vector<Deformer>& deformers) {
   for (const Deformer& deformer : deformers)
     if (const std::string complaint = options::complaintAbout(deformer); !complaint.empty())
       throw UsageError("a deformer: " + complaint);
-  if (deformers.size() > shared::maxDeformers)
-    throw UsageError(fmt::format("there are {} deformers, but there may be {}", deformers.size(),
-                                 shared::maxDeformers));
+  static_assert(maxDeformers == shared::maxDeformers);
+  if (deformers.size() > maxDeformers)
+    throw UsageError(
+        fmt::format("there are {} deformers, but there may be {}", deformers.size(), maxDeformers));
 }
 
 }  // namespace opaline

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/sound_image.h"
 #include "opaline/error.h"
 #include "opaline/image_file.h"
 #include "scene/text.h"
@@ -25,6 +26,8 @@ const std::vector<Field<EnvironmentFile>>& fieldsOf() {
 namespace opaline {
 
 std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from) {
+  if (const std::string complaint = options::complaintAboutFields(from); !complaint.empty())
+    throw UsageError(complaint);
   Image image = readHdrImage(from.file);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     if (i % 4 == 3) continue;
@@ -37,6 +40,8 @@ std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from) {
 }
 
 Image turned(const Image& environment, double degrees) {
+  core::requireSound(environment);
+  if (!std::isfinite(degrees)) throw UsageError("an environment must be turned by a finite angle");
   const double turns = degrees / 360;
   const double columns = (turns - std::floor(turns)) * environment.width;
   const double whole = std::floor(columns);

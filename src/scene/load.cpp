@@ -89,6 +89,7 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
 
 LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                            const LoadOptions& options) {
+  if (files.empty()) throw UsageError("a scene needs at least one file");
   if (files.size() == 1) return loadSceneFile(files.front(), options);
   scene::requireSensible(options);
   if (options.morphTo) {

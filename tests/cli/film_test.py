@@ -118,6 +118,7 @@ class Pictures(Film):
         (self.folder / "f3.png").mkdir()
         self.refused(1, "render", "no.ply", "--frames", "3:4", "-o", "f%d.png", says="f3.png")
         self.refused(1, "render", "no.ply", "--frames", "3:4", "-o", "none/f%d.png", says="none")
+        self.refused(2, "render", "no.ply", "--frames", "0:4:2", "-o", "f.mp4", says="numbered pictures")
 
     def test_a_place_that_cannot_be_written_later_ends_it(self):
         (self.folder / "f1.png").mkdir()
@@ -159,6 +160,7 @@ class Resume(Film):
         self.assertIn("2 of 2 frames existed already", run.err)
         self.assertNotIn("wrote", run.err)
         self.assertEqual((run.json()["frame_ms"], run.json()["outputs"]), (None, ["f0.png", "f1.png"]))
+        self.assertEqual((run.json()["transport"], run.json()["site"]), (None, None))
 
 
 def dented(height):

@@ -1,4 +1,5 @@
 #include "opaline/compare.h"
+#include "opaline/error.h"
 
 #include <gtest/gtest.h>
 
@@ -131,6 +132,11 @@ TEST(Flip, OnePixelIsAPictureToo) {
   const Image8 white{1, 1, {255, 255, 255, 255}};
   EXPECT_NEAR(mean(flipMap(black, white, 1000)), 0.967379, 1e-5);
   EXPECT_NEAR(mean(flipMap(black, white, 1)), 0.967379, 1e-5);
+}
+
+TEST(Flip, NeedsFourValuesAPixel) {
+  const Image8 torn{400, 400, {0, 0, 0, 255}};
+  EXPECT_THROW(flipMap(torn, torn, 67), UsageError);
 }
 
 }  // namespace

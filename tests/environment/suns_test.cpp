@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "environment/lat_long.h"
+#include "opaline/error.h"
 
 namespace opaline {
 namespace {
@@ -127,13 +129,31 @@ TEST(Suns, AreTheBrightestFour) {
 // Not suns: even light, a bright spot with hardly any light, and a large lamp.
 TEST(Suns, AreNothingElse) {
   const std::vector<std::shared_ptr<const Image>> without{
-      nullptr, std::make_shared<Image>(), skyWith({}), skyWith({{unit(1, 0, 0), pi / 300, 60}}),
+      nullptr, skyWith({}), skyWith({{unit(1, 0, 0), pi / 300, 60}}),
       skyWith({{unit(1, 0, 0), pi / 12, 2000}})};
   for (const std::shared_ptr<const Image>& sky : without) {
     const Suns suns = findSuns(sky);
     EXPECT_TRUE(suns.lights.empty());
     EXPECT_EQ(suns.rest, sky);
   }
+}
+
+TEST(Suns, AreNotSoughtWhereTheEnvironmentIsUnsound) {
+  const auto whole = std::make_shared<Image>(16, 8);
+  EXPECT_EQ(complaintAboutEnvironment(*whole), "");
+  for (const float value :
+       {-1.0F, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    const auto unsound = std::make_shared<Image>(*whole);
+    unsound->rgba[5] = value;
+    EXPECT_THROW(findSuns(unsound), Error) << value;
+  }
+  for (const std::size_t values : {0U, 4U, 511U, 516U}) {
+    const auto unsound = std::make_shared<Image>(*whole);
+    unsound->rgba.resize(values);
+    EXPECT_THROW(findSuns(unsound), Error) << values;
+    EXPECT_NE(complaintAbout(Lighting{.environment = unsound}), "") << values;
+  }
+  EXPECT_THROW(findSuns(std::make_shared<Image>()), Error);
 }
 
 // Each of many bright pixels gives too little light, and the search must end soon.

@@ -56,6 +56,9 @@ class Scenes(unittest.TestCase):
             made.lights = [opaline.DirectionalLight((0, 0, 1))] * 17
         with self.assertRaises(TypeError):
             made.lights = [3]
+        for wrong in (lambda: opaline.Medium(5), lambda: opaline.Medium("wax", eta="x"), lambda: opaline.bear(5)):
+            with self.assertRaises(TypeError):
+                wrong()
         with self.assertRaises(opaline.UsageError):
             opaline.DirectionalLight((0, 0, 0))
         self.assertEqual(len(made.lights), 2)

@@ -96,6 +96,8 @@ TEST(SeveralMediaWalkTest, LightPassesTheMediumOfTheNearestSurface) {
   constexpr int particles = 40'000;
   const std::array<double, 2> sigmaPerMm{0.02, 0.3};
   const Scene ball = ballOfTwo(white(), darker());
+  EXPECT_THROW(reference::posedScene(ball, {.seconds = 2, .clip = 7}, {}), UsageError);
+  EXPECT_THROW(reference::posedScene(ball, {.seconds = -1}, {}), UsageError);
   const reference::Scene scene = reference::posedScene(ball, {}, {});
   const reference::Geometry geometry(scene);
   const reference::DistanceBound bound(scene);

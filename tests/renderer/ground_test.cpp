@@ -217,6 +217,28 @@ TEST_F(GroundTest, OtherOpaqueBodiesGiveBackLightAsWell) {
   EXPECT_GT(seen, 500);
 }
 
+// Without bounces it gives nothing back, so light in a body above it is the same, bit by bit.
+TEST_F(GroundTest, DoesNotChangeTheLightInABodyFarAboveIt) {
+  Scene scene = builtInBear();
+  scene.objects[0].medium = marble();
+  scene.lighting = {.directional = {{{0.5F, 0.5F, 0.7F}, {3, 3, 3}}}};
+  RenderOptions options = finelyDivided(GroundTest::options());
+  options.bounces = 0;
+  const Image alone = render(scene, options, {Aov::Exitance})[0];
+  for (const float heightMm : {-60.0F, -2000.0F}) {
+    Scene above = scene;
+    above.objects.push_back(groundUnder(scene, {.heightMm = heightMm}));
+    const auto images = render(above, options, {Aov::Exitance, Aov::Object});
+    int seen = 0;
+    for (std::size_t i = 0; i < alone.rgba.size(); i += 4) {
+      if (alone.rgba[i + 3] == 0 || images[1].rgba[i] != 0) continue;
+      ++seen;
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(images[0].rgba[i + c], alone.rgba[i + c]);
+    }
+    EXPECT_GT(seen, 500);
+  }
+}
+
 TEST_F(GroundTest, CountsForNoSize) {
   const Scene alone = sceneOf(sphere({0, 0, 0}, ballMm, 2), marble(), {0, 0, 60}, ballMm);
   Scene scene = alone;

@@ -204,6 +204,7 @@ TEST_F(Joined, WhatCannotBeJoinedIsRefused) {
                 loadSceneFiles({folder / "cube.obj", folder / "m_%d.ply"});
               }),
               HasSubstr("only model"));
+  EXPECT_THAT(test::messageOf([] { loadSceneFiles({}); }), HasSubstr("at least one file"));
 }
 
 }  // namespace

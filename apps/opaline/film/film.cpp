@@ -35,6 +35,10 @@ bool isThere(const FilmOrder& order, int frame) {
 }
 
 void requireFilmWritable(const Target& output, const FrameRange& frames) {
+  if (isFilm(output.path) && frames.step > 1)
+    throw UsageError(
+        "--frames A:B:STEP makes numbered pictures; a film shows every frame, and --fps sets its "
+        "rate");
   requireWritable({fileOf(output.path, frames.first), output.existing});
   if (isFilm(output.path)) requireFfmpeg();
 }

@@ -50,7 +50,7 @@ struct RenderCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; any of these replaces all lights of the scene");
+    line.section("Light; lights given here replace all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
@@ -173,12 +173,11 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
 /// A report for frames that all existed already.
 Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outputs) {
   RenderReport nothing;
-  nothing.transport = job.options.transport;
   nothing.sum = job.options.sum;
-  nothing.site = job.options.site;
   Json json = renderReportJson(nothing, job.options, outputs);
-  for (const char* unknown : {"device", "triangles", "vertices", "sources", "clusters", "frame_ms",
-                              "dispatches", "barriers", "recordings", "peak_memory_mb"}) {
+  for (const char* unknown :
+       {"device", "transport", "site", "triangles", "vertices", "sources", "clusters", "frame_ms",
+        "dispatches", "barriers", "recordings", "peak_memory_mb"}) {
     json[unknown] = nullptr;
   }
   return json;

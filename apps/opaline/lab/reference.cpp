@@ -78,7 +78,7 @@ struct ReferenceCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; any of these replaces all lights of the scene");
+    line.section("Light; lights given here replace all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);

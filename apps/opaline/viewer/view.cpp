@@ -43,7 +43,7 @@ struct ViewCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; any of these replaces all lights of the scene");
+    line.section("Light; lights given here replace all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);

@@ -75,8 +75,10 @@ void GivenPositions::give(std::size_t object, const DevicePositions& positions,
                           passes::Motion& motion) {
   Given& given = at(object);
   constexpr std::uint32_t leastStride = 12;
-  if (positions.buffer == VK_NULL_HANDLE || positions.offsetBytes % 4 != 0 ||
-      positions.strideBytes % 4 != 0 || positions.strideBytes < leastStride)
+  if (positions.buffer == VK_NULL_HANDLE)
+    throw UsageError(fmt::format("the positions for object {} need a buffer", object));
+  if (positions.offsetBytes % 4 != 0 || positions.strideBytes % 4 != 0 ||
+      positions.strideBytes < leastStride)
     throw UsageError(fmt::format(
         "the buffer of positions for object {} needs an offset and a stride that are multiples of "
         "4 bytes, and a stride of at least 12",

@@ -28,24 +28,16 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& 
   const auto target = placeFrom(*table, "target_mm", centreMm);
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
-  const std::optional<Camera> own = scene.camera;
   Scene box;
   for (const RawObject& object : scene.objects) {
     box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
   }
-  Camera camera = placed || !scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
-                                          : *scene.camera;
-  if (direction && own) {
-    camera.targetMm = own->targetMm;
-    camera.positionMm =
-        toFloat(toDouble(own->targetMm) + distanceToTargetMm(*own) * toDouble(*direction));
-  }
+  Camera camera = scene.camera ? *scene.camera : defaultCamera(box);
+  const double away = distanceToTargetMm(camera);
   if (position) camera.positionMm = *position;
   if (target) camera.targetMm = *target;
-  if (target && direction) {
-    const double away = distanceToTargetMm(own.value_or(defaultCamera(box)));
-    camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
-  }
+  if (direction)
+    camera.positionMm = toFloat(toDouble(camera.targetMm) + away * toDouble(*direction));
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
   if (!(length(view) > 0)) table->fail("", "has the same position and target");
   if (placed) camera.up = usualUp(camera);

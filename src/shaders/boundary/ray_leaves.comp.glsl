@@ -54,8 +54,9 @@ mat3 widened(mat3 corners, float byMm) {
   return corners;
 }
 
-// How far the furthest corner is from the middle.
-const float furthestUnits = 16384.0;
+// How far the furthest corner is from the middle, without a ground. A ground may be a thousand times as far before it
+// exceeds half floats, which would let rays meet all of its boxes there.
+const float furthestUnits = 64.0;
 
 vec4 middleUnit() {
   vec3 low = vec3(unordered(bounds[0]), unordered(bounds[1]), unordered(bounds[2]));

@@ -262,18 +262,18 @@ void main() {
   Cluster cluster = clusters[min(i, clusterCount - 1u)];
   ClusterRange range = ranges[min(i, clusterCount - 1u)];
   ObjectData body = objects[range.object];
+  // Rays inwards come first: Mesa's software device ends all loops of an invocation after 65,535 rounds together.
+  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
+  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
+  // The last lane has the fewest rays outwards.
+  bool puts = isThere && lane == lanes - 1u;
+  float thickness = puts ? thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body)) : 0.0;
   SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
   if (isThere) sum = lookAround(i, lane, cluster, range);
   sum = sumOfLanes(sum);
-  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
-  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
   // With this, all that can enter of even light does, from wherever it comes.
   float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
   if (isThere && raysToBright() > 0u)
     for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
-  // The last lane has the fewest rays outwards.
-  if (isThere && lane == lanes - 1u) {
-    float thickness = thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body));
-    put(i, cluster, range, thickness, ofThickness, sum);
-  }
+  if (puts) put(i, cluster, range, thickness, ofThickness, sum);
 }

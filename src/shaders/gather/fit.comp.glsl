@@ -133,7 +133,8 @@ void fitCamera(Box box) {
   }
   float diagonal = distance(box.low, box.high);
   float away = frame.cameraAxis.w != 0.0 ? 0.0 : distanceTo(box, frame.cameraPosition.xyz);
-  float near = max(0.5 * away, max(1e-4 * diagonal, 1e-6));
+  // Depth is reversed and a float, so it is as exact however near the plane is.
+  float near = max(0.5 * away, max(1e-6 * diagonal, 1e-6));
   frame.worldToClip[3][2] = near;
 }
 

@@ -263,6 +263,10 @@ TEST_F(Toml, TheBearBringsItsCamera) {
   const Scene turned = load(bear + "[camera]\ndirection = [-2, 0, 0]\n").scene;
   EXPECT_NEAR(distanceDiagonals(turned), 1.8, 1e-5);
   EXPECT_LT(turned.camera.positionMm[0], -80);
+  const Scene aimed = load(bear + "[camera]\ntarget_mm = [5, 0, 0]\n").scene;
+  EXPECT_EQ(aimed.camera.positionMm, plain.camera.positionMm);
+  const Scene placed = load(bear + "[camera]\nposition_mm = [90, 0, 90]\n").scene;
+  EXPECT_EQ(placed.camera.targetMm, plain.camera.targetMm);
   const Scene moved = load(bear + "[objects.bear]\ntranslation_mm = [500, 0, 0]\n").scene;
   EXPECT_NEAR(distanceDiagonals(moved), 1.8, 1e-5);
   EXPECT_NEAR(moved.camera.targetMm[0], 500 + plain.camera.targetMm[0], 1e-2);
