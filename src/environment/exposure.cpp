@@ -128,7 +128,9 @@ double brightestWhite(const Scene& scene) {
 }  // namespace
 
 float automaticExposureStops(const Scene& scene) {
-  if (const std::string complaint = complaintAbout(scene.lighting); !complaint.empty())
+  if (const std::string complaint =
+          complaintAbout(Lighting{.environment = scene.lighting.environment});
+      !complaint.empty())
     throw Error(complaint);
   const double white = brightestWhite(scene);
   if (!(white > 0)) return 0;

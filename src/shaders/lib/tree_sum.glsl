@@ -10,15 +10,12 @@
 #include "lib/lesser.glsl"
 #include "lib/multipole.glsl"
 #include "lib/surfel_sum.glsl"
-#include "lib/tolerance.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
-// A node is opened nearer than this many of its radii, squared, because the series converges slowly there, and not at
-// all within the radius. Where any error is tolerated, only the detail of the sum is of use.
+// A node is opened nearer than this many of its radii, squared, because the series would not converge there.
 const float nearestInRadii2 = 2.0;
-const float nearestForDetail2 = 1.25;
 
 // In a node whose surfels lie evenly about its centroid, the first term left out that does not cancel
 // is of fourth order, F g⁴ f⁗/24 with the mean square g². This much of it counts as the error.
@@ -72,8 +69,7 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
     sum.a += 1.0;
     return true;
   }
-  float nearest2 = tolerated.r < anyError ? nearestInRadii2 : nearestForDetail2;
-  if (leastOf(squared) <= nearest2 * node.radius * node.radius ||
+  if (leastOf(squared) <= nearestInRadii2 * node.radius * node.radius ||
       nearestSquare(squared, node.radius) <= reach * reach)
     return false;
 
