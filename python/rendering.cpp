@@ -103,8 +103,8 @@ class PythonRenderer {
       time.clip = static_cast<int>(found - clips_.begin());
     } else if (PyIndex_Check(clip.ptr()) != 0) {
       int isBeyond = 0;
-      const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(clip.ptr()));
-      const long index = PyLong_AsLongAndOverflow(number.ptr(), &isBeyond);
+      const long index = PyLong_AsLongAndOverflow(clip.ptr(), &isBeyond);
+      if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
       if (isBeyond != 0 || index != static_cast<int>(index))
         throw UsageError(fmt::format("There is no clip {}.", py::str(clip).cast<std::string>()));
       time.clip = static_cast<int>(index);

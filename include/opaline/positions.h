@@ -18,9 +18,8 @@ using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 /// The positions of every object's vertices at a time, mm. The clip moves rigs, and the scene's
 /// deformers move everything except a ground. They are those that the renderer draws, but computed
 /// on the host: for bounds, cameras that follow, picking and export. The scene must be one that
-/// Renderer::setScene accepts. Throws UsageError for a clip
-/// that does not exist, and for given positions that do not fit their object, are not finite or
-/// beyond 1e18 mm.
+/// Renderer::setScene accepts. Throws UsageError for a clip that does not exist, and for given
+/// positions that do not fit their object, are not finite or beyond 1e18 mm.
 OPALINE_API std::vector<std::vector<Vec3>> positionsAt(const Scene& scene, const SceneTime& time,
                                                        const PositionsByObject& given = {});
 

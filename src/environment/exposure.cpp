@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
+#include "core/sound_image.h"
 #include "environment/lat_long.h"
 #include "environment/sky_irradiance.h"
 #include "lights/area.h"
@@ -128,10 +129,9 @@ double brightestWhite(const Scene& scene) {
 }  // namespace
 
 float automaticExposureStops(const Scene& scene) {
-  if (const std::string complaint =
-          complaintAbout(Lighting{.environment = scene.lighting.environment});
-      !complaint.empty())
-    throw Error(complaint);
+  const std::shared_ptr<const Image>& environment = scene.lighting.environment;
+  if (environment && !core::isSound(*environment))
+    throw Error(complaintAboutEnvironment(*environment));
   const double white = brightestWhite(scene);
   if (!(white > 0)) return 0;
   const double stops = std::log2(std::clamp(white, darkest, brightest) / white);

@@ -395,22 +395,19 @@ std::size_t shadowMapsOf(const SpotLight& light) {
 
 namespace {
 
-std::string complaintAboutSize(const Image& environment) {
-  const bool isSound =
-      environment.width > 0 && environment.height > 0 &&
-      environment.rgba.size() / 4 / static_cast<std::size_t>(environment.width) ==
-          static_cast<std::size_t>(environment.height) &&
-      environment.rgba.size() % (4 * static_cast<std::size_t>(environment.width)) == 0;
-  if (isSound) return "";
-  return fmt::format(
-      "the environment has {}x{} pixels and {} values, but needs four for each pixel",
-      environment.width, environment.height, environment.rgba.size());
+bool isSound(const Image& image) {
+  return image.width > 0 && image.height > 0 &&
+         image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                  static_cast<std::size_t>(image.height);
 }
 
 }  // namespace
 
 std::string complaintAboutEnvironment(const Image& environment) {
-  if (std::string complaint = complaintAboutSize(environment); !complaint.empty()) return complaint;
+  if (!isSound(environment))
+    return fmt::format(
+        "the environment has {}x{} pixels and {} values, but needs four for each pixel",
+        environment.width, environment.height, environment.rgba.size());
   for (std::size_t i = 0; i < environment.rgba.size(); ++i)
     if (i % 4 != 3 && !(environment.rgba[i] >= 0 && std::isfinite(environment.rgba[i])))
       return fmt::format("pixel {} of the environment is negative or not finite", i / 4);
@@ -418,10 +415,8 @@ std::string complaintAboutEnvironment(const Image& environment) {
 }
 
 std::string complaintAbout(const Lighting& lighting) {
-  if (lighting.environment) {
-    std::string complaint = complaintAboutSize(*lighting.environment);
-    if (!complaint.empty()) return complaint;
-  }
+  if (lighting.environment && !isSound(*lighting.environment))
+    return complaintAboutEnvironment(*lighting.environment);
   const std::size_t directional = lighting.directional.size();
   const std::size_t points = lighting.points.size();
   const std::size_t spots = lighting.spots.size();

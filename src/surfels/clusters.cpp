@@ -175,7 +175,7 @@ class Divider {
     for (std::size_t i = 0; i < surfels_.piecesPerSurfel; ++i) {
       const Piece& piece = surfels_.pieces[std::size_t{surfel} * surfels_.piecesPerSurfel + i];
       const auto fraction = static_cast<double>(piece.fraction);
-      const double area = fraction * areaMm2(surface, piece.triangle);
+      const double area = areaMm2(surface, piece);
       shape.areaMm2 += area;
       addTimes(0.5 * fraction, crossOf(surface, piece.triangle), shape.vectorAreaMm2);
       const Vec3 middle = middleOfMm(surface, piece);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -112,8 +111,7 @@ std::vector<std::uint8_t> Layers::ofItems(std::span<const Piece> pieces,
   std::unordered_map<std::uint32_t, double> areaOfPart;
   for (const TreeItem& item : items) {
     const Piece& piece = pieces[item.index];
-    areaOfPart[partOfTriangle_[piece.triangle]] +=
-        static_cast<double>(piece.fraction) * areaMm2(surface_, piece.triangle);
+    areaOfPart[partOfTriangle_[piece.triangle]] += areaMm2(surface_, piece);
   }
   if (areaOfPart.size() < 2 || !(closeMm > 0)) return layers;
 

@@ -116,6 +116,10 @@ double areaMm2(const core::RestSurface& surface, std::uint32_t triangle) {
   return std::hypot(cross[0], cross[1], cross[2]) / 2;
 }
 
+double areaMm2(const core::RestSurface& surface, const Piece& piece) {
+  return static_cast<double>(piece.fraction) * areaMm2(surface, piece.triangle);
+}
+
 double spacingOfMm(const core::RestSurface& surface, std::uint32_t triangle) {
   return std::sqrt(squaredSpacing(wholeTriangle(surface, triangle).squaredEdges()));
 }

@@ -29,6 +29,7 @@ double spacingOfMm(const core::RestSurface& surface, std::uint32_t triangle);
 std::array<double, 3> crossOf(const core::RestSurface& surface, std::uint32_t triangle);
 
 double areaMm2(const core::RestSurface& surface, std::uint32_t triangle);
+double areaMm2(const core::RestSurface& surface, const Piece& piece);
 
 Vec3 middleOfMm(const core::RestSurface& surface, const Piece& piece);
 

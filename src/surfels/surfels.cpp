@@ -85,10 +85,7 @@ void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pie
                     const Layers& layers, std::uint32_t piecesPerSurfel,
                     std::span<TreeItem> items) {
   double area = 0;
-  for (const TreeItem& item : items) {
-    const Piece& piece = pieces[item.index];
-    area += static_cast<double>(piece.fraction) * areaMm2(surface, piece.triangle);
-  }
+  for (const TreeItem& item : items) area += areaMm2(surface, pieces[item.index]);
   const double surfels = static_cast<double>(items.size()) / piecesPerSurfel;
   const double sizeMm = std::max(usualClusterMm(area), 2 * std::sqrt(area / surfels));
   const std::vector<std::uint8_t> layerOfItem = layers.ofItems(pieces, items, sizeMm);

@@ -76,8 +76,7 @@ std::uint32_t objectOfMost(const core::RestSurface& surface,
                            std::span<const surfels::Piece> pieces) {
   std::map<std::uint32_t, double> areas;
   for (const surfels::Piece& piece : pieces)
-    areas[surface.objectOfTriangle[piece.triangle]] +=
-        static_cast<double>(piece.fraction) * surfels::areaMm2(surface, piece.triangle);
+    areas[surface.objectOfTriangle[piece.triangle]] += surfels::areaMm2(surface, piece);
   return mostOf(areas);
 }
 

@@ -16,6 +16,13 @@ bool isAlong(const Double3& view, const Vec3& up) {
   return !(dot(across, across) > 1e-8);
 }
 
+Camera usualCamera(const RawScene& scene) {
+  Scene box;
+  for (const RawObject& object : scene.objects)
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  return defaultCamera(box);
+}
+
 }  // namespace
 
 void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& log,
@@ -28,11 +35,7 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& 
   const auto target = placeFrom(*table, "target_mm", centreMm);
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
-  Scene box;
-  for (const RawObject& object : scene.objects) {
-    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
-  }
-  Camera camera = scene.camera ? *scene.camera : defaultCamera(box);
+  Camera camera = scene.camera ? *scene.camera : usualCamera(scene);
   const double away = distanceToTargetMm(camera);
   if (position) camera.positionMm = *position;
   if (target) camera.targetMm = *target;
