@@ -11,7 +11,7 @@ namespace opaline::passes {
 namespace {
 
 // The rounds of shade/mirrored_scene.comp.
-enum Round : std::uint32_t { AskingSome, TakingAll };
+enum Round : std::uint32_t { SendingRays, Averaging, Taking };
 
 }  // namespace
 
@@ -23,8 +23,8 @@ void MirroredScenePass::record(gpu::CommandList& commands, const Inputs& inputs,
   VisibleSurfaces& surfaces = seen.surfaces;
   const bool hasOpaque = static_cast<bool>(inputs.tables.opaqueExitances);
   commands.beginPass("mirrored scene");
-  for (const Round round : {AskingSome, TakingAll}) {
-    if (round == AskingSome && !inputs.onTranslucent) continue;
+  for (const Round round : {SendingRays, Averaging, Taking}) {
+    const bool even = round % 2 == 0;
     dispatchParts(
         commands, surfaces, pipeline_,
         {.listedPlaces = listedPlaces(seen, nearest_),
@@ -38,7 +38,8 @@ void MirroredScenePass::record(gpu::CommandList& commands, const Inputs& inputs,
          .clusterNodes = inputs.clusters.nodes,
          .clusters = inputs.clusters.clusters,
          .skyShares = surfaces.skyShares,
-         .met = surfaces.ofPixels[0]},
+         .metBefore = surfaces.ofPixels[even ? 1 : 0],
+         .metNow = surfaces.ofPixels[even ? 0 : 1]},
         {.first = 0,
          .nodeCount = inputs.surfels.tree.nodeCount,
          .piecesPerSurfel = inputs.surfels.piecesPerSurfel,

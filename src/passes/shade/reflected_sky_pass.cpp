@@ -49,7 +49,8 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .skyShares = surfaces.skyShares,
                  .skyBlocks = {surfaces.skyBlocks, nearest_},
                  .surfaces = surfaces.asked,
-                 .surfaceCounts = surfaces.countsOf(Asked::OfSky)});
+                 .surfaceCounts = surfaces.countsOf(Asked::OfSky)},
+                {.firstRow = firstRow, .rows = surfaces.rowsFrom(firstRow), .alpha = alpha});
   const shaders::ShadeReflectedSky::Bindings bindings{
       .listedPlaces = listedPlaces(seen, nearest_),
       .objects = inputs.tables.objects,

@@ -134,8 +134,7 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
       .paint = surfaces.kept.paint || plan.painted,
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
-      .ofPixels =
-          surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && !lighting.areas.empty()),
+      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || plan.opaque,
       .drawn = surfaces.kept.drawn || (!showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     sight.reset();

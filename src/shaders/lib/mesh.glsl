@@ -15,6 +15,7 @@ struct MeshPlace {
   vec3 weights;    // of them; their sum is 1
   uint object;
   vec3 position;  // mm
+  vec3 inside;    // mm; inside the triangle. Where its plane goes on beyond it, the body may be in front
   vec3 normal;    // unit, interpolated, towards the side that is seen
   float side;     // -1 where that side is the inside, else 1
   vec3 facet;     // unit, at right angles to the triangle, towards the camera
@@ -68,6 +69,8 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
   vec3 b = positionOf(place.vertices.y);
   vec3 c = positionOf(place.vertices.z);
   place.position = mat3(a, b, c) * place.weights;
+  vec3 inside = max(place.weights, 0.0);
+  place.inside = mat3(a, b, c) * (inside / (inside.x + inside.y + inside.z));
   place.object = meshObjects[place.vertices.x];
   vec3 normal = normalOn(place.vertices, place.weights);
   vec3 facet = unitOr(cross(unitOr(b - a, vec3(0.0)), unitOr(c - a, vec3(0.0))), normal);

@@ -3,6 +3,7 @@
 #ifndef OPALINE_LIB_SKY_RAYS
 #define OPALINE_LIB_SKY_RAYS
 #include "lib/rays.glsl"
+#include "lib/ray_start.glsl"
 #include "lib/reflected_rays.glsl"
 #include "shared/sky_rays.h"
 
@@ -36,9 +37,8 @@ uint raysOfSample(float itsAlpha) {
 uint reflectedRay(uint i, uint count, MeshPlace place, Mirror mirror) {
   vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
   if (direction == vec3(0.0)) return noRay;
-  float start = startAbove(place.position);
-  bool meets = occluded(place.position + start * place.facet, direction, start, 3e38,
-                        RayTarget(0u, nodeCount, everyObject));
+  RayStart start = rayStartOn(place);
+  bool meets = occluded(start.origin, direction, start.least, 3e38, RayTarget(0u, nodeCount, everyObject));
   return meets ? rayMeets : rayIsFree;
 }
 

@@ -1,6 +1,6 @@
 // What surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of the clusters that
-// they meet. Where rays are few, this light is interpolated between clusters. Where the lobe is wide, 2×2 pixels of
-// a translucent surface share its rays: each sends a quarter, and takes what those around it have found.
+// they meet. Where the lobe is narrow, this light is interpolated between clusters. Where it is wide, pixels share
+// their rays: each sends different ones, and takes what those around it have found.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -15,6 +15,7 @@
 #include "lib/clusters_around.glsl"
 #include "lib/frame.glsl"
 #include "lib/rays.glsl"
+#include "lib/ray_start.glsl"
 #include "lib/reflected_rays.glsl"
 #include "lib/seen_list.glsl"
 #include "shared/boundary.h"
@@ -26,8 +27,10 @@ layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 17) readonly buffer SkyShares { float skyShares[]; };
 
-// For the first surfaces of a band's pixels: the summed radiance of bodies that some rays meet; w: how many do.
-layout(std430, set = 0, binding = 18) buffer Met { vec4 met[]; };
+// For the first surfaces of a band's pixels: the summed radiance of what rays meet; w: packed counts. One buffer is
+// of the round before, the other of this one.
+layout(std430, set = 0, binding = 18) readonly buffer MetBefore { vec4 metBefore[]; };
+layout(std430, set = 0, binding = 19) writeonly buffer MetNow { vec4 metNow[]; };
 
 layout(push_constant) uniform Push {
   uint first;
@@ -45,14 +48,9 @@ layout(push_constant) uniform Push {
 #include "lib/neighbours.glsl"
 
 // The rounds of MirroredScenePass.
-const uint askingSome = 0u;
-const uint takingAll = 1u;
-
-// From this width of the lobe on, pixels need not tell apart what they mirror.
-const float leastAlphaShared = 0.04;
-const int widthOfSharing = 2;
-const uint sharing = 4u;
-const float asked = 1e-6;  // tells pixels whose rays meet nothing from those that send none
+const uint sendingRays = 0u;
+const uint averaging = 1u;
+const uint taking = 2u;
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -78,124 +76,160 @@ vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
   return all > 0.0 ? sum / all : exitanceOf(own, opaque);
 }
 
-// This many rays see patches of clusters as their mean.
-const uint raysThatSmooth = 7u;
+// From this width of the lobe on, it sees patches of clusters as their mean.
+const float leastAlphaOfMeans = 0.146;
 
 // w: whether it is known.
-vec4 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
+vec4 radianceAt(vec3 place, uint piece, vec3 direction, float itsAlpha) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
   ObjectData body = objects[objectOfPiece(piece)];
   bool opaque = isOpaque(body);
   float known = opaque ? 1.0 : insides != 0u ? clusters[cluster].second.w : 0.0;
   vec3 facet = facetNormal(piece);
   if (hasBack(body) && clusters[cluster].along.w * dot(facet, direction) > 0.0) cluster = backOf(cluster, body);
-  if (rays >= raysThatSmooth || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
+  if (itsAlpha >= leastAlphaOfMeans || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
   vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
   return vec4(exitanceAt(place, normal, body, cluster) / pi, known);
 }
 
-// The wider the lobe, the more.
-uint raysOf(float alpha) {
-  return alpha < 0.002 ? 1u : clamp(uint(48.0 * alpha), 4u, mostMirroredRays);
-}
-
-// The widest rays go first: where those meet nothing, nor do the others within the lobe.
-vec4 mirrored(MeshPlace place, SeenMaterial material) {
-  float alpha = material.diffuse.w;
-  uint count = raysOf(alpha);
-  uint enough = min(count, 3u);
-  float start = startAbove(place.position);
-  vec4 sum = vec4(0.0);
-  float sent = 0.0;
-  for (uint left = count; left > 0u; --left) {
-    if (count - left == enough && sum.w == sent) break;
-    vec3 direction = reflectedDirection(left - 1u, count, alpha, material.normal.xyz, place);
-    if (direction == vec3(0.0)) continue;
-    sent += 1.0;
-    vec3 origin = place.position + start * place.facet;
-    RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
-    sum += hit.piece == noPiece
-               ? vec4(0.0, 0.0, 0.0, 1.0)
-               : vec4(radianceAt(origin + hit.distance * direction, hit.piece, direction, count).rgb, 0.0);
-  }
-  return sent > 0.0 ? sum / sent : vec4(0.0, 0.0, 0.0, 1.0);
-}
-
-// How rough a mirroring surface is, and which way it faces.
+// How a surface mirrors.
 struct Mirror {
+  bool opaque;
   float alpha;
   vec3 normal;
 };
 
 Mirror mirrorOf(Seen seen, MeshPlace place) {
-  if (ownSurfaces != 0u) return Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
-  return Mirror(alpha, place.normal);
+  bool opaque = isOpaque(objects[place.object]);
+  if (!opaque && ownSurfaces == 0u) return Mirror(false, alpha, place.normal);
+  return Mirror(opaque, materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
 }
 
-// What every `every`-th ray of a translucent surface meets, without the sky, summed; w: how many meet it.
-vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
-  uint count = raysOf(mirror.alpha);
-  float start = startAbove(place.position);
-  vec4 sum = vec4(0.0);
-  for (uint i = firstRay; i < count; i += every) {
-    vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
+// A surface that mirrors next to nothing needs no rays.
+bool mirrorsBodies(Seen seen, Mirror mirror) {
+  if (!mirror.opaque) return translucent != 0u && skyShares[seen.entry] < 1.0;
+  return materials[seen.entry].metal.w > 0.0 || materials[seen.entry].dielectric != vec4(0.0);
+}
+
+// Which rays of the lobe a pixel sends: every `every`-th of `count`. Pixels of a window of this width share theirs.
+struct Rays {
+  uint count;
+  uint every;
+  int width;
+};
+
+Rays raysAlone(float itsAlpha) {
+  return Rays(itsAlpha < 0.002 ? 1u : clamp(uint(48.0 * itsAlpha), 4u, mostMirroredRays), 1u, 1);
+}
+
+// From these widths of the lobe on, 2×2 and 4×4 pixels need not tell apart what they mirror.
+const float leastAlphaOf2 = 0.04;
+const float leastAlphaOf4 = 0.09;
+
+Rays raysShared(Mirror mirror) {
+  if (mirror.alpha < leastAlphaOf2) return raysAlone(mirror.alpha);
+  if (mirror.alpha < leastAlphaOf4) return Rays(mirror.opaque ? 16u : 4u, 4u, 2);
+  return Rays(mirror.opaque ? 32u : 16u, 16u, 4);
+}
+
+// What rays have met: the summed radiance of bodies, and how many rays met those whose light is known, met anything,
+// and were sent.
+struct Found {
+  vec3 sum;
+  float known;
+  float any;
+  float sent;
+};
+
+const uint bitsOfCount = 7u;
+
+vec4 packed(Found found) {
+  uint counts = uint(found.known) | uint(found.any) << bitsOfCount | uint(found.sent) << 2u * bitsOfCount;
+  return vec4(found.sum, float(counts));
+}
+
+float countIn(uint counts, uint which) {
+  return float(bitfieldExtract(counts, int(which * bitsOfCount), int(bitsOfCount)));
+}
+
+void add(vec4 packedMet, inout Found found) {
+  uint counts = uint(packedMet.w);
+  found.sum += packedMet.rgb;
+  found.known += countIn(counts, 0u);
+  found.any += countIn(counts, 1u);
+  found.sent += countIn(counts, 2u);
+}
+
+// The widest rays go first. Where so many of a pixel that shares none meet nothing, nor do the others.
+const float enough = 3.0;
+
+Found sendRays(MeshPlace place, Mirror mirror, uint cell, Rays rays) {
+  RayStart start = rayStartOn(place);
+  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  for (uint left = rays.count - cell; left > 0u && left <= rays.count; left -= rays.every) {
+    if (rays.every == 1u && found.sent == enough && found.any == 0.0) break;
+    uint i = left - 1u;
+    vec3 direction = reflectedDirection(i, rays.count, mirror.alpha, mirror.normal, place);
     if (direction == vec3(0.0)) continue;
-    vec3 origin = place.position + start * place.facet;
-    RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
+    found.sent += 1.0;
+    RayHit hit = nearestHit(start.origin, direction, start.least, 3e38, RayTarget(0u, nodeCount, everyObject));
     if (hit.piece == noPiece) continue;
-    vec4 radiance = radianceAt(origin + hit.distance * direction, hit.piece, direction, count);
-    sum += radiance.w * vec4(radiance.rgb, 1.0);
+    vec4 radiance = radianceAt(start.origin + hit.distance * direction, hit.piece, direction, mirror.alpha);
+    found.sum += (mirror.opaque ? 1.0 : radiance.w) * radiance.rgb;
+    found.known += radiance.w;
+    found.any += 1.0;
   }
-  return sum;
+  return found;
 }
 
-// Otherwise it mirrors only sky.
-bool mirrorsBodies(Seen seen) {
-  return skyShares[seen.entry] < 1.0;
+// Which of the window's pixels it is.
+uint cellOf(ivec2 pixel, int width) {
+  ivec2 cell = pixel & (width - 1);
+  return uint(cell.x + width * cell.y);
 }
 
-vec4 bodiesAround(Seen seen, MeshPlace place, Mirror mirror) {
-  if (!mirrorsBodies(seen)) return vec4(0.0);
-  vec4 sum = vec4(0.0);
-  bool shares = isFirstSurface(seen) && mirror.alpha >= leastAlphaShared;
-  ivec2 window = windowAround(seen.pixel, widthOfSharing);
-  for (uint i = 0u; shares && i < sharing; ++i) {
-    ivec2 other = pixelOfWindow(window, i, widthOfSharing);
+// What the pixels of a window around have found of the same surface. Windows of an even width lie to one side of the
+// pixel by half a pixel; the second round's lie to the other.
+Found foundAround(ivec2 pixel, MeshPlace place, int width) {
+  ivec2 window = windowAround(round == taking ? pixel + 1 : pixel, width);
+  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  for (uint i = 0u; i < uint(width * width); ++i) {
+    ivec2 other = pixelOfWindow(window, i, width);
     if (!isInBand(other)) continue;
     uint word = seenWord(other, 0u);
     if (samplesOf(word) == 0u) continue;
-    if (other == seen.pixel || isOneSurface(place, seenPlace(other, word))) sum += met[indexOf(other)];
+    vec4 its = metBefore[indexOf(other)];
+    if (its.w == 0.0) continue;
+    if (other == pixel || isOneSurface(place, seenPlace(other, word))) add(its, found);
   }
-  if (sum.w == 0.0) sum = bodiesMet(place, mirror, 0u, 1u);
-  return sum.w > sharing * asked ? vec4(sum.rgb / sum.w, 1.0) : vec4(0.0);
+  return found;
 }
 
-// Which of 2×2 pixels it is.
-uint cellOf(ivec2 pixel) {
-  return uint(pixel.x & 1) + 2u * uint(pixel.y & 1);
-}
-
-void askOfTranslucent(Seen seen, MeshPlace place) {
-  Mirror mirror = mirrorOf(seen, place);
-  if (round == takingAll) {
-    materials[seen.entry].around = bodiesAround(seen, place, mirror);
-  } else if (isFirstSurface(seen)) {
-    bool shares = mirrorsBodies(seen) && mirror.alpha >= leastAlphaShared;
-    met[indexOf(seen.pixel)] = shares ? bodiesMet(place, mirror, cellOf(seen.pixel), sharing) + vec4(0.0, 0.0, 0.0, asked) : vec4(0.0);
-  }
+// See SeenMaterial::around.
+vec4 aroundOf(Found found, bool opaque) {
+  if (!opaque) return found.known > 0.0 ? vec4(found.sum / found.known, 1.0) : vec4(0.0);
+  if (found.sent == 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
+  return vec4(found.sum, found.sent - found.any) / found.sent;
 }
 
 void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  if (!isOpaque(objects[place.object])) {
-    if (translucent != 0u) askOfTranslucent(seen, place);
+  Mirror mirror = mirrorOf(seen, place);
+  Rays rays = raysShared(mirror);
+  bool mirrors = mirrorsBodies(seen, mirror);
+  bool shares = mirrors && rays.width > 1 && isFirstSurface(seen);
+  if (round != taking) {
+    if (!isFirstSurface(seen)) return;
+    Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+    if (shares && round == sendingRays) found = sendRays(place, mirror, cellOf(seen.pixel, rays.width), rays);
+    if (shares && round == averaging) found = foundAround(seen.pixel, place, rays.width);
+    metNow[indexOf(seen.pixel)] = packed(found);
     return;
   }
-  if (round == askingSome) return;
-  SeenMaterial material = materials[seen.entry];
-  // A surface that mirrors next to nothing needs no rays.
-  if (material.metal.w <= 0.0 && material.dielectric == vec4(0.0)) return;
-  materials[seen.entry].around = mirrored(place, material);
+  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  if (shares) found = foundAround(seen.pixel, place, rays.width);
+  if (mirrors && found.sent == 0.0) found = sendRays(place, mirror, 0u, raysAlone(mirror.alpha));
+  if (mirrors || !mirror.opaque) materials[seen.entry].around = aroundOf(found, mirror.opaque);
 }

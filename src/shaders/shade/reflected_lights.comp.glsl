@@ -19,6 +19,7 @@
 #include "lib/mesh.glsl"
 #include "lib/piece.glsl"
 #include "lib/rays.glsl"
+#include "lib/ray_start.glsl"
 #include "lib/seen_list.glsl"
 #include "lib/specular_albedo.glsl"
 
@@ -145,12 +146,11 @@ Sight sightOf(uint triangle, uint index) {
 }
 
 bool isVisible(MeshPlace place, vec3 offset, Sight sight) {
-  float start = startAbove(place.position);
-  float least = start * inversesqrt(max(dot(offset, offset), 1e-30));
   if (dot(offset, place.facet) <= 0.0) return false;
   if (sight.isOne) return sight.part > 0.5;
-  return !occluded(place.position + start * place.facet, offset, least, 1.0,
-                   RayTarget(0u, nodeCount, everyObject));
+  RayStart start = rayStartOn(place);
+  float least = start.least * inversesqrt(max(dot(offset, offset), 1e-30));
+  return !occluded(start.origin, offset, least, 1.0, RayTarget(0u, nodeCount, everyObject));
 }
 
 // The visible part of what the lobe mirrors of a light. Where the first rays agree, these are enough.

@@ -21,17 +21,17 @@ layout(std430, set = 0, binding = 7) writeonly buffer SkyShares { float skyShare
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
 
-// The widest rays go first: where those agree, so do the others within the lobe.
+// The widest rays go first, then one from the middle of the lobe: where these agree, so do the others.
 float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
   uint sent = 0u;
   uint free = 0u;
   uint rays = raysOfSample(mirror.alpha);
   uint raysInAll = rays * samples;
-  uint enough = max(raysInAll / 4u, 2u);
-  for (uint left = raysInAll; left > 0u; --left) {
+  uint widest = max(raysInAll / 4u, 2u);
+  for (uint k = 0u; k < raysInAll; ++k) {
     bool agreed = free == 0u || free == sent;
-    if (seeing == everySample && raysInAll - left == enough && agreed) break;
-    uint i = left - 1u;
+    if (seeing == everySample && k == widest + 1u && agreed) break;
+    uint i = k < widest ? raysInAll - 1u - k : k - widest;
     if ((seeing >> i / rays & 1u) == 0u) continue;
     uint ray = reflectedRay(i, raysInAll, place, mirror);
     if (ray == noRay) continue;

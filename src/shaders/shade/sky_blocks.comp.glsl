@@ -1,8 +1,8 @@
 // How much of what 2×2 pixels mirror is sky, where one smooth surface fills them. Where it fills a block of 4×4
 // pixels and rays from the block's corners agree, they hold for all of it. Four blocks share a corner, and each
 // block has a ray of each kind at its own. Otherwise its quarters are tested from opposite corners, by the widest
-// rays of the lobe. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows are soft, they share
-// twice the rays of one.
+// rays of the lobe, and where these meet something by its middle. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows
+// are soft, they share twice the rays of one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -21,9 +21,6 @@
 layout(local_size_x = 64, local_size_x_id = 19) in;
 
 layout(set = 0, binding = 5, r32f) writeonly uniform image2D skyBlocks;
-
-// From this width of the lobe on, pixels need not tell apart what they mirror.
-const float leastAlphaShared = 0.04;
 
 // Some translucent surfaces have a roughness or normals of their own, and are not smooth.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
@@ -76,13 +73,16 @@ ivec2 pixelOfBlock(uint firstBelow) {
   return firstPixel() + 2 * ivec2(placeOfMorton(firstBelow));
 }
 
-// Sends one of four kinds of rays, one for each corner of a block.
+// Rays of four kinds are the widest of the lobe, one kind for each corner of a block. The fifth is its middle.
+const uint inTheMiddle = 4u;
+
 uint rayOfKind(uint kind, MeshPlace here) {
   if (withOwnSurfaces != 0u && hasOwnSurface(mediumAt(objects[here.object], here.position))) return noRay;
   const uint order[4] = uint[4](0u, 2u, 3u, 1u);  // those of opposite corners follow each other
   uint raysInAll = raysOfSample(alpha) * samples;
   uint widest = raysInAll - 1u;
-  return reflectedRay(widest - min(order[kind], widest), raysInAll, here, Mirror(alpha, here.normal));
+  uint i = kind == inTheMiddle ? 0u : widest - min(order[kind], widest);
+  return reflectedRay(i, raysInAll, here, Mirror(alpha, here.normal));
 }
 
 bool goesOnSmoothly(uint objectHere, vec3 normalHere, uint objectThere, vec3 normalThere) {
@@ -90,11 +90,11 @@ bool goesOnSmoothly(uint objectHere, vec3 normalHere, uint objectThere, vec3 nor
 }
 
 // A ray from one of the block's corners, if the surface goes on smoothly to the one opposite.
-uint rayFromCorner(ivec2 pixel, int width, uint corner) {
+uint rayFromCorner(ivec2 pixel, int width, uint corner, uint kind) {
   MeshPlace here = placeSeenAt(pixel + (width - 1) * cornerOf(corner));
   MeshPlace there = placeSeenAt(pixel + (width - 1) * cornerOf(3u - corner));
   if (!goesOnSmoothly(here.object, here.normal, there.object, there.normal)) return noRay;
-  return rayOfKind(corner, here);
+  return rayOfKind(kind, here);
 }
 
 // The place of the k-th corner of all. Corners are sorted by the kinds of their rays, so that rays side by
@@ -194,8 +194,14 @@ void answerFromOpposite(uint level, uint count, uint shift) {
   barrier();
   for (uint k = gl_LocalInvocationIndex; k < 2u * count; k += gl_WorkGroupSize.x) {
     uint block = asked[level][k % apart];
-    atomicOr(answers[k % apart], 1u << rayFromCorner(pixelOfBlock(block << shift), width, 3u * (k / apart)));
+    uint corner = 3u * (k / apart);
+    atomicOr(answers[k % apart], 1u << rayFromCorner(pixelOfBlock(block << shift), width, corner, corner));
   }
+  barrier();
+  // Wide rays may meet things on both sides of the middle.
+  for (uint k = gl_LocalInvocationIndex; k < count; k += gl_WorkGroupSize.x)
+    if (answers[k] == 1u << rayMeets)
+      answers[k] |= 1u << rayFromCorner(pixelOfBlock(asked[level][k] << shift), width, 0u, inTheMiddle);
 }
 
 // Tests the blocks of a level. What is known then is written for the smallest below. The smallest that
@@ -224,7 +230,13 @@ void ask(uint level) {
   barrier();
 }
 
-// Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send alone.
+// Which of 2×2 blocks it is.
+uint cellOf(ivec2 block) {
+  return uint(block.x & 1) + 2u * uint(block.y & 1);
+}
+
+// Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send alone. Blocks
+// side by side send different ones.
 void askDisagreeing() {
   uint count = askedCount[levels];
   uint apart = max(count, 1u);
@@ -233,8 +245,9 @@ void askDisagreeing() {
   barrier();
   for (uint k = gl_LocalInvocationIndex; k < rays * count; k += gl_WorkGroupSize.x) {
     uint i = k / apart;
-    MeshPlace place = placeSeenAt(pixelOfBlock(asked[levels][k % apart]) + cornerOf(i % 4u));
-    uint ray = reflectedRay(i, rays, place, Mirror(alpha, place.normal));
+    ivec2 pixel = pixelOfBlock(asked[levels][k % apart]);
+    MeshPlace place = placeSeenAt(pixel + cornerOf(i % 4u));
+    uint ray = reflectedRay(4u * i + (i + cellOf(pixel / 2) & 3u), 4u * rays, place, Mirror(alpha, place.normal));
     if (ray != noRay) atomicAdd(answers[k % apart], 1u + (ray << 16u));
   }
   barrier();
