@@ -17,4 +17,11 @@ using Rgb = std::array<float, 3>;
 /// Vertex indices, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// For the library: whether a value of an enumeration is one of those up to the last, for a cast
+/// makes a value of any number.
+template <typename Enumeration>
+constexpr bool isUpTo(Enumeration last, Enumeration value) {
+  return value >= Enumeration{} && value <= last;
+}
+
 }  // namespace opaline

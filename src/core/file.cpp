@@ -117,6 +117,8 @@ fs::path replaceable(const fs::path& target) {
 
 /// The path beside which the temporary file is made. Throws Error if writing is bound to fail.
 fs::path checkedTarget(const Target& target) {
+  if (!isUpTo(Existing::TakeNextName, target.existing))
+    failToWrite(target.path, "what happens to a file of that name is none of what can happen");
   if (target.existing == Existing::Replace) return replaceable(target.path);
   requireFolder(target.path);
   if (target.existing == Existing::Refuse && somethingStandsAt(target.path)) {

@@ -47,6 +47,8 @@ void requireValid(const ToneOptions& options) {
     throw UsageError(fmt::format("The exposure must lie between -32 and 32 stops, not at {}.",
                                  options.exposureStops));
   }
+  if (!isUpTo(ToneCurve::Neutral, options.curve))
+    throw UsageError(fmt::format("There is no tone curve {}.", static_cast<int>(options.curve)));
   if (!options.background) return;
   for (const float channel : *options.background) {
     if (!std::isfinite(channel)) throw UsageError("The background must be finite.");

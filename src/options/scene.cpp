@@ -237,6 +237,9 @@ Range rangeOfAmount(const Deformer& deformer) {
 }
 
 std::string complaintAbout(const Deformer& deformer) {
+  if (std::string complaint = complaintAboutField(fieldOf<Deformer>("kind"), deformer);
+      !complaint.empty())
+    return complaint;
   if (deformer.periodSeconds != 0 && !Allowed{period}.holds(deformer.periodSeconds))
     return fmt::format("period_seconds {}: must be 0 or {}", deformer.periodSeconds,
                        describe(period));
@@ -284,6 +287,9 @@ std::string complaintAbout(const Texture& texture) {
   if (texture.coordinates != 0 && texture.coordinates != 1)
     return fmt::format("texture '{}' is on coordinates {}; there are 0 and 1", name,
                        texture.coordinates);
+  for (const TextureWrap wrap : {texture.wrapU, texture.wrapV})
+    if (!isUpTo(TextureWrap::ClampToEdge, wrap))
+      return fmt::format("texture '{}' has an unknown wrap {}", name, static_cast<int>(wrap));
   if (!isFinite(texture.transform[0]) || !isFinite(texture.transform[1]))
     return fmt::format("the transform of texture '{}' is not finite", name);
   return {};

@@ -70,6 +70,9 @@ void validate(const RenderOptions& options) {
 }
 
 void validate(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  for (const Aov aov : aovs)
+    if (!options::hasName(aov))
+      throw UsageError(fmt::format("there is no variable {}", static_cast<int>(aov)));
   if (options.sum == Sum::Pattern &&
       std::find(aovs.begin(), aovs.end(), Aov::Surfels) != aovs.end())
     throw UsageError("the pattern has no surfels to show; the sums tree and all have");

@@ -58,6 +58,12 @@ void validateTrack(const Scene& scene, const Clip& clip, const Track& track) {
   if (track.node >= scene.nodes.size())
     refuse(scene,
            fmt::format("clip '{}' moves node {}, which does not exist", clip.name, track.node));
+  if (!isUpTo(TrackTarget::MorphWeights, track.target) ||
+      !isUpTo(Interpolation::CubicSpline, track.interpolation))
+    refuse(scene, fmt::format("clip '{}' has a track of an unknown kind: target {}, "
+                              "interpolation {}",
+                              clip.name, static_cast<int>(track.target),
+                              static_cast<int>(track.interpolation)));
   if (track.seconds.empty() || !allFinite(track.seconds) || !allFinite(track.values) ||
       !std::is_sorted(track.seconds.begin(), track.seconds.end()))
     refuse(scene, fmt::format("clip '{}' has a track whose times are not finite and ascending",

@@ -94,6 +94,15 @@ TEST(WriteWhole, RefusesWhatMustStay) {
   EXPECT_EQ(readBytes(folder / "a.txt"), "first");
 }
 
+TEST(WriteWhole, RefusesAnUnknownWayToTreatAnExistingFile) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(messageOf([&] {
+                writeWhole({folder / "a.txt", static_cast<Existing>(3)}, "text");
+              }),
+              HasSubstr("a.txt"));
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
 // Two threads imitate programs that write at once.
 TEST(WriteWhole, NobodyReplacesWhatAnotherWroteAtTheSameTime) {
   const TemporaryFolder folder;

@@ -53,6 +53,10 @@ TEST(ToneMap, NoneClipsAndEncodes) {
   EXPECT_EQ(image.rgba, (std::vector<std::uint8_t>{188, 255, 0, 128}));
 }
 
+TEST(ToneMap, AnUnknownCurveIsRefused) {
+  EXPECT_THROW(toneMap(onePixel(1, 1, 1, 1), {.curve = static_cast<ToneCurve>(2)}), UsageError);
+}
+
 TEST(ToneMap, ExposureIsInStops) {
   ToneOptions options;
   options.curve = ToneCurve::None;

@@ -133,6 +133,25 @@ TEST(Picture, WhatIsOutOfRangeIsRefusedWithOneSentence) {
   }
 }
 
+TEST(Names, AValueOutsideItsEnumerationIsRefusedWithOneSentence) {
+  EXPECT_EQ(complaintAbout(RenderOptions{.transport = static_cast<Transport>(99)}),
+            "transport 99: must be one of dipole, better-dipole, boundary");
+  EXPECT_EQ(complaintAbout(RenderOptions{.site = static_cast<Site>(-1)}),
+            "site -1: must be one of auto, vertex, fragment");
+  EXPECT_EQ(complaintAbout(Deformer{.kind = static_cast<DeformerKind>(4)}),
+            "kind 4: must be one of twist, bend, squash, wobble");
+  EXPECT_EQ(complaintAbout(Appearance{.colorModel = static_cast<ColorModel>(2)}),
+            "color_model 2: must be one of observed, khr");
+}
+
+TEST(Textures, AnUnknownWrapIsRefused) {
+  const auto pixels = std::make_shared<TexturePixels>(TexturePixels{1, 1, {0, 0, 0, 0}, "leaf"});
+  OpaqueMaterial material{.baseColorTexture = Texture{pixels}};
+  EXPECT_EQ(complaintAbout(material), "");
+  material.baseColorTexture->wrapV = static_cast<TextureWrap>(3);
+  EXPECT_EQ(complaintAbout(material), "texture 'leaf' has an unknown wrap 3");
+}
+
 TEST(Names, OfAnOptionThatMayHaveNoValueAreItsChoices) {
   const Field<LoadOptions>& field = fieldOf<LoadOptions>("color_model");
   EXPECT_THAT(field.allowed.choices, ElementsAre("observed", "khr"));

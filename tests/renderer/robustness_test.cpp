@@ -107,9 +107,14 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
       changed([](RenderOptions& o) { o.pattern.nearSpacing = 0; }),
       changed([](RenderOptions& o) { o.pattern.nearSpacing = nan; }),
       changed([](RenderOptions& o) { o.pattern.farDistance = 1001; }),
+      changed([](RenderOptions& o) { o.transport = static_cast<Transport>(99); }),
+      changed([](RenderOptions& o) { o.sum = static_cast<Sum>(-1); }),
+      changed([](RenderOptions& o) { o.site = static_cast<Site>(3); }),
   };
   for (std::size_t i = 0; i < wrong.size(); ++i)
     EXPECT_THROW(renderer().render(wrong[i]), UsageError) << i;
+  for (const Aov unknown : {static_cast<Aov>(99), static_cast<Aov>(-1)})
+    EXPECT_THROW(renderer().render(smallOptions(), {unknown}), UsageError);
   const SceneTime times[] = {{.seconds = -1}, {.seconds = nan}, {.clip = 1}, {.clip = -2}};
   for (const SceneTime& time : times) EXPECT_THROW(renderer().setTime(time), UsageError);
   EXPECT_EQ(render(smallOptions(), {Aov::Depth}).size(), 1U);  // and still works afterwards
@@ -207,6 +212,10 @@ TEST_F(RobustnessTest, MotionThatMakesNoSenseIsRefused) {
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].seconds.clear(); }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values.pop_back(); }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values[0] = nan; }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].target = static_cast<TrackTarget>(4); }),
+      changedRig([](Scene& s, Rig&) {
+        s.clips[0].tracks[0].interpolation = static_cast<Interpolation>(-1);
+      }),
       changedRig([](Scene& s, Rig&) { s.deformers.resize(9); }),
       changedRig([](Scene& s, Rig&) {
         s.deformers = {{DeformerKind::Twist, nan, 0}};

@@ -77,15 +77,20 @@ const Field<Owner>& fieldOf(std::string_view key) {
   return *found;
 }
 
-/// A complaint about the first option whose value is not allowed, as a sentence; empty if all are.
+/// A complaint about an option whose value is not allowed, as a sentence; empty if it is.
+template <typename Owner>
+std::string complaintAboutField(const Field<Owner>& field, const Owner& owner) {
+  const std::optional<Value> value = field.get(owner);
+  if (!value || field.allowed.holds(*value)) return {};
+  return std::string(field.key) + " " + textOf(*value) + ": " + requirement(field.allowed, *value);
+}
+
+/// The same about the first of all options.
 template <typename Owner>
 std::string complaintAboutFields(const Owner& owner) {
-  for (const Field<Owner>& field : fieldsOf<Owner>()) {
-    const std::optional<Value> value = field.get(owner);
-    if (value && !field.allowed.holds(*value))
-      return std::string(field.key) + " " + textOf(*value) + ": " +
-             requirement(field.allowed, *value);
-  }
+  for (const Field<Owner>& field : fieldsOf<Owner>())
+    if (std::string complaint = complaintAboutField(field, owner); !complaint.empty())
+      return complaint;
   return {};
 }
 
@@ -142,10 +147,17 @@ OPALINE_API std::size_t indexOf(std::string_view name, std::span<const std::stri
 template <typename Enumeration>
 const std::vector<std::string_view>& namesOf();
 
-/// The value's name in files and on the command line.
+/// Whether a value is one of its enumeration, for a cast makes a value of any number.
+template <typename Enumeration>
+bool hasName(Enumeration value) {
+  return static_cast<std::size_t>(value) < namesOf<Enumeration>().size();
+}
+
+/// The value's name in files and on the command line; the number of a value without a name.
 template <typename Enumeration>
 std::string nameOf(Enumeration value) {
-  return std::string(namesOf<Enumeration>().at(static_cast<std::size_t>(value)));
+  if (!hasName(value)) return std::to_string(static_cast<int>(value));
+  return std::string(namesOf<Enumeration>()[static_cast<std::size_t>(value)]);
 }
 
 /// The value of that name. Throws UsageError where there is none.
