@@ -49,4 +49,12 @@ struct TexturePixels {
   std::string name;                 ///< for messages
 };
 
+/// Whether an image has pixels, and exactly four values for each.
+template <typename AnImage>
+bool isSound(const AnImage& image) {
+  return image.width > 0 && image.height > 0 &&
+         image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                  static_cast<std::size_t>(image.height);
+}
+
 }  // namespace opaline

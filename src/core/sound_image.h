@@ -2,19 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-
 #include "opaline/error.h"
+#include "opaline/image.h"
 
 namespace opaline::core {
-
-/// Whether an image has pixels, and exactly four values for each.
-template <typename AnImage>
-bool isSound(const AnImage& image) {
-  return image.width > 0 && image.height > 0 &&
-         image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                  static_cast<std::size_t>(image.height);
-}
 
 /// Throws UsageError for an image that is not sound.
 template <typename AnImage>

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "core/sound_image.h"
 #include "environment/lat_long.h"
 #include "environment/sky_irradiance.h"
 #include "lights/area.h"
@@ -130,8 +129,7 @@ double brightestWhite(const Scene& scene) {
 
 float automaticExposureStops(const Scene& scene) {
   const std::shared_ptr<const Image>& environment = scene.lighting.environment;
-  if (environment && !core::isSound(*environment))
-    throw Error(complaintAboutEnvironment(*environment));
+  if (environment && !isSound(*environment)) throw Error(complaintAboutEnvironment(*environment));
   const double white = brightestWhite(scene);
   if (!(white > 0)) return 0;
   const double stops = std::log2(std::clamp(white, darkest, brightest) / white);
