@@ -17,15 +17,12 @@ std::string withKeywordNames(std::string_view sentence) {
       continue;
     }
     sentence.remove_prefix(structure.size());
-    std::string keyword;
     while (!sentence.empty() && std::isalnum(static_cast<unsigned char>(sentence.front())) != 0) {
       const auto letter = static_cast<unsigned char>(sentence.front());
-      if (std::isupper(letter) != 0) keyword += '_';
-      keyword += static_cast<char>(std::tolower(letter));
+      if (std::isupper(letter) != 0) result += '_';
+      result += static_cast<char>(std::tolower(letter));
       sentence.remove_prefix(1);
     }
-    // The only keyword with a unit that its field has not.
-    result += keyword == "memory_limit" ? "memory_limit_mb" : keyword;
   }
   return result;
 }

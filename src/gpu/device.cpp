@@ -60,7 +60,7 @@ Error beyondLimit(const std::string& name, std::size_t bytes, std::size_t taken,
                   std::size_t limit) {
   return Error(
       fmt::format("\"{}\" needs {:.1f} MB, but {:.1f} MB of the {:g} MB allowed are already in "
-                  "use; use a smaller image or map, or raise RendererOptions::memoryLimit",
+                  "use; use a smaller image or map, or raise the memory limit",
                   name, static_cast<double>(bytes) / 1e6, static_cast<double>(taken) / 1e6,
                   static_cast<double>(limit) / 1e6));
 }

@@ -39,6 +39,40 @@ bool isIn(float number, const Range& range) {
          number == static_cast<float>(range.most);
 }
 
+// `size` and `triple` say what form several numbers have.
+std::string requirement(const Allowed& allowed, const Value& like, std::string_view size,
+                        std::string_view triple) {
+  const std::string range = describe(allowed.range);
+  const bool orNamed = !allowed.choices.empty() && !std::holds_alternative<std::string>(like);
+  if (orNamed)
+    return fmt::format("{}, or {}",
+                       requirement({allowed.range, {}, allowed.counts}, like, size, triple),
+                       fmt::join(allowed.choices, " or "));
+  return std::visit(
+      Overloaded{[](bool) -> std::string { return "must be true or false"; },
+                 [&](int) {
+                   return allowed.counts.empty()
+                              ? fmt::format("must be a whole number {}", range)
+                              : fmt::format("must be {}", listed(allowed.counts));
+                 },
+                 [&](const std::string&) -> std::string {
+                   if (allowed.choices.empty())
+                     return allowed.range.most > 0
+                                ? fmt::format("must be a name, or a number {}", range)
+                                : "must be a name";
+                   return fmt::format("must be {}{}", allowed.choices.size() == 1 ? "" : "one of ",
+                                      fmt::join(allowed.choices, ", "));
+                 },
+                 [&](const Size&) { return fmt::format("must be {}, each {}", size, range); },
+                 [&](const auto& number) {
+                   if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(number)>>)
+                     return fmt::format("must be {}", range);
+                   else
+                     return fmt::format("must be {}, each {}", triple, range);
+                 }},
+      like);
+}
+
 }  // namespace
 
 bool Allowed::holds(const Value& value) const {
@@ -63,33 +97,11 @@ bool Allowed::holds(const Value& value) const {
 }
 
 std::string requirement(const Allowed& allowed, const Value& like) {
-  const std::string range = describe(allowed.range);
-  const bool orNamed = !allowed.choices.empty() && !std::holds_alternative<std::string>(like);
-  if (orNamed)
-    return fmt::format("{}, or {}", requirement({allowed.range, {}, allowed.counts}, like),
-                       fmt::join(allowed.choices, " or "));
-  return std::visit(
-      Overloaded{
-          [](bool) -> std::string { return "must be true or false"; },
-          [&](int) {
-            return allowed.counts.empty() ? fmt::format("must be a whole number {}", range)
-                                          : fmt::format("must be {}", listed(allowed.counts));
-          },
-          [&](const std::string&) -> std::string {
-            if (allowed.choices.empty())
-              return allowed.range.most > 0 ? fmt::format("must be a name, or a number {}", range)
-                                            : "must be a name";
-            return fmt::format("must be {}{}", allowed.choices.size() == 1 ? "" : "one of ",
-                               fmt::join(allowed.choices, ", "));
-          },
-          [&](const Size&) { return fmt::format("must be WIDTHxHEIGHT, each {}", range); },
-          [&](const auto& number) {
-            if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(number)>>)
-              return fmt::format("must be {}", range);
-            else
-              return fmt::format("must be three numbers or one for all three, each {}", range);
-          }},
-      like);
+  return requirement(allowed, like, "a width and a height", "three numbers");
+}
+
+std::string typedRequirement(const Allowed& allowed, const Value& like) {
+  return requirement(allowed, like, "WIDTHxHEIGHT", "three numbers or one for all three");
 }
 
 std::size_t indexOf(std::string_view name, std::span<const std::string_view> names) {

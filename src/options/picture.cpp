@@ -149,8 +149,9 @@ const std::vector<Field<NamedSettings>>& fieldsOf() {
 template <>
 const std::vector<Field<RendererOptions>>& fieldsOf() {
   static const std::vector<Field<RendererOptions>> table{
-      field<RendererOptions, &RendererOptions::memoryLimit>("memory_limit", {{64, 1e7, "MB"}},
-                                                            "of host and device each", "none"),
+      called("memory limit",
+             field<RendererOptions, &RendererOptions::memoryLimit>(
+                 "memory_limit", {{64, 1e7, "MB"}}, "of host and device each", "none")),
   };
   return table;
 }

@@ -109,8 +109,8 @@ const std::vector<Field<Ground>>& fieldsOf() {
 template <>
 const std::vector<Field<Camera>>& fieldsOf() {
   static const std::vector<Field<Camera>> table{
-      field<Camera, &Camera::verticalFovDegrees>("fov_degrees", {{1, 170, "degrees"}},
-                                                 "vertical field of view"),
+      called("field of view", field<Camera, &Camera::verticalFovDegrees>(
+                                  "fov_degrees", {{1, 170, "degrees"}}, "vertical field of view")),
       field<Camera, &Camera::shiftX>("shift_x", {{-1000, 1000, "widths"}}, "of what is seen"),
       field<Camera, &Camera::shiftY>("shift_y", {{-1000, 1000, "heights"}}, "of what is seen"),
       field<Camera, &Camera::orthographicHeightMm>("orthographic_height_mm", {lengthAboveZero},

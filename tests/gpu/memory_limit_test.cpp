@@ -76,8 +76,9 @@ TEST(MemoryLimit, HoldsForAllBuffersTogetherUntilTheyAreGone) {
     buffer("third");
     FAIL() << "more memory than may be taken";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("\"third\" needs 4.0 MB"),
-                                    HasSubstr("8.0 MB of the 10 MB"), HasSubstr("memoryLimit")));
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("\"third\" needs 4.0 MB"), HasSubstr("8.0 MB of the 10 MB"),
+                      HasSubstr("raise the memory limit")));
   }
   first = Buffer();
   EXPECT_NO_THROW(buffer("third"));

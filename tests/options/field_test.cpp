@@ -60,9 +60,18 @@ TEST(Requirement, SaysWhatAValueMustBe) {
   EXPECT_EQ(requirement({.range = {1, 8}, .counts = {1, 2, 4, 8}}, 0), "must be 1, 2, 4 or 8");
   EXPECT_EQ(requirement({.choices = {"auto", "vertex"}}, std::string()),
             "must be one of auto, vertex");
-  EXPECT_EQ(requirement({{0, 1}}, Rgb{}),
+  EXPECT_EQ(requirement({{0, 1}}, Rgb{}), "must be three numbers, each from 0 to 1");
+  EXPECT_EQ(requirement({{1, 16384}}, Size{}),
+            "must be a width and a height, each from 1 to 16384");
+}
+
+TEST(Requirement, HasTheFormsInWhichPeopleTypeAValue) {
+  EXPECT_EQ(typedRequirement({{0, 8}}, 0), "must be a whole number from 0 to 8");
+  EXPECT_EQ(typedRequirement({{0, 1}}, Rgb{}),
             "must be three numbers or one for all three, each from 0 to 1");
-  EXPECT_EQ(requirement({{1, 16384}}, Size{}), "must be WIDTHxHEIGHT, each from 1 to 16384");
+  EXPECT_EQ(typedRequirement({.range = {0, 1}, .choices = {"none"}}, Rgb{}),
+            "must be three numbers or one for all three, each from 0 to 1, or none");
+  EXPECT_EQ(typedRequirement({{1, 16384}}, Size{}), "must be WIDTHxHEIGHT, each from 1 to 16384");
 }
 
 TEST(Text, IsWhatPeopleType) {
@@ -367,7 +376,12 @@ TEST(Camera, IsRefusedWhereItMakesNoSense) {
   EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}}), "");
   EXPECT_THAT(complaintAbout(Camera{}), HasSubstr("position and target must differ"));
   EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}, .verticalFovDegrees = 171}),
-            "fov_degrees 171: must be from 1 to 170 degrees");
+            "field of view 171: must be from 1 to 170 degrees");
+}
+
+TEST(MemoryLimit, IsRefusedWhereItMakesNoSense) {
+  EXPECT_EQ(complaintAboutFields(RendererOptions{.memoryLimit = 1.0F}),
+            "memory limit 1: must be from 64 to 1e7 MB");
 }
 
 TEST(Range, ItsEndsAsFloatsAreWithin) {

@@ -107,7 +107,7 @@ namespace {
 
 std::array<double, 3> channelsOf(const Given& given, const options::Allowed& allowed) {
   const auto channels = channelsIn(given.text, allowed.range);
-  if (!channels) refuse(given, options::requirement(allowed, Rgb{}));
+  if (!channels) refuse(given, options::typedRequirement(allowed, Rgb{}));
   return *channels;
 }
 
@@ -135,7 +135,7 @@ std::array<int, 2> readSize(const Given& given, const Range& range) {
   for (std::size_t i = 0; i < size.size() && parts.size() == size.size(); ++i)
     size[i] = toInteger(parts[i]).value_or(0);
   const options::Allowed allowed{range};
-  if (!allowed.holds(size)) refuse(given, options::requirement(allowed, size));
+  if (!allowed.holds(size)) refuse(given, options::typedRequirement(allowed, size));
   return size;
 }
 
@@ -148,7 +148,8 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
     using Kind = std::remove_cvref_t<decltype(kind)>;
     if constexpr (std::is_same_v<Kind, int>) {
       const std::optional<int> number = toInteger(given.text);
-      if (!number || !allowed.holds(*number)) refuse(given, options::requirement(allowed, like));
+      if (!number || !allowed.holds(*number))
+        refuse(given, options::typedRequirement(allowed, like));
       return *number;
     } else if constexpr (std::is_floating_point_v<Kind>) {
       return static_cast<Kind>(readNumber(given, allowed.range));
@@ -156,7 +157,7 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
       return readSize(given, allowed.range);
     } else if constexpr (std::is_same_v<Kind, std::string>) {
       if (!allowed.holds(given.text) && allowed.choices.empty())
-        refuse(given, options::requirement(allowed, like));
+        refuse(given, options::typedRequirement(allowed, like));
       if (!allowed.holds(given.text))
         refuseChoice(given, {allowed.choices.begin(), allowed.choices.end()});
       return given.text;

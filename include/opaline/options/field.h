@@ -40,6 +40,9 @@ struct OPALINE_API Allowed {
 /// What a value has to be, as the end of a sentence: "must be from 0 to 8".
 OPALINE_API std::string requirement(const Allowed& allowed, const Value& like);
 
+/// The same where people type it, with the forms that textOf() has: "must be WIDTHxHEIGHT, …".
+OPALINE_API std::string typedRequirement(const Allowed& allowed, const Value& like);
+
 /// The value as people write it: "0.01", "1,1,0.5", "1024x768".
 OPALINE_API std::string textOf(const Value& value);
 
@@ -55,6 +58,8 @@ struct Field {
   std::optional<Value> (*get)(const Owner&);  ///< nothing if the option has no value
   void (*set)(Owner&, const Value&);          ///< takes the type of `like`, or a choice
   Value like;                                 ///< a value of the option's type
+  /// What messages to all callers call it, where its key has a form of its own; empty: the key.
+  std::string_view words = {};
 };
 
 /// All options of an Owner, in the order in which they are shown.
@@ -82,7 +87,8 @@ template <typename Owner>
 std::string complaintAboutField(const Field<Owner>& field, const Owner& owner) {
   const std::optional<Value> value = field.get(owner);
   if (!value || field.allowed.holds(*value)) return {};
-  return std::string(field.key) + " " + textOf(*value) + ": " + requirement(field.allowed, *value);
+  return std::string(field.words.empty() ? field.key : field.words) + " " + textOf(*value) + ": " +
+         requirement(field.allowed, *value);
 }
 
 /// The same about the first of all options.
@@ -137,6 +143,13 @@ Chosen<Owner> chosenIn(const Owner& owner) {
 template <typename Owner>
 Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
   field.formerKey = formerKey;
+  return field;
+}
+
+/// The field, called so in messages to all callers.
+template <typename Owner>
+Field<Owner> called(std::string_view words, Field<Owner> field) {
+  field.words = words;
   return field;
 }
 

@@ -127,7 +127,7 @@ std::optional<options::Value> TomlTable::value(std::string_view key,
   options::Value value = like;
   bool good = true;
   std::visit([&](auto& member) { read(*node, member, good); }, value);
-  if (!good || !allowed.holds(value)) fail(key, options::requirement(allowed, like));
+  if (!good || !allowed.holds(value)) fail(key, options::typedRequirement(allowed, like));
   return value;
 }
 
