@@ -175,7 +175,14 @@ std::string complaintAbout(const Medium& medium) {
 std::string complaintAbout(const Appearance& appearance) {
   if (appearance.ballMm > 0 && appearance.colorModel != ColorModel::Observed)
     return "ball_mm is for observed colors, and color_model is another";
-  return options::complaintAboutFields(appearance);
+  if (std::string complaint = options::complaintAboutFields(appearance); !complaint.empty())
+    return complaint;
+  // The color says how much of the extinction is scattering. A texture may have any color.
+  for (const double meanFreePathMm : appearance.meanFreePathMm)
+    if ((1 - appearance.g) / meanFreePathMm > options::scattering.most)
+      return fmt::format("mean_free_path_mm {} and g {}: (1 - g) / mean_free_path_mm must be {}",
+                         meanFreePathMm, appearance.g, options::describe(options::scattering));
+  return {};
 }
 
 namespace {

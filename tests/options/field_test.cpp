@@ -247,6 +247,15 @@ TEST(Medium, IsRefusedWhereItsCoefficientsMakeNoSense) {
   EXPECT_EQ(complaintAbout(medium), "eta 1: must be from 1.01 to 3");
 }
 
+TEST(Appearance, IsRefusedWhereNoMediumHasIt) {
+  Appearance appearance{.meanFreePathMm = {1, 1, 2e-6}, .g = -0.99};
+  EXPECT_EQ(complaintAbout(appearance), "");
+  appearance.meanFreePathMm[2] = 1.9e-6;  // σ_s' may be 1.99 / 1.9e-6, about 1.05e6 per mm
+  EXPECT_THAT(complaintAbout(appearance), HasSubstr("mean_free_path_mm 1.9e-06 and g -0.99"));
+  appearance.g = 0;
+  EXPECT_EQ(complaintAbout(appearance), "");
+}
+
 TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_THAT(complaintAbout(DirectionalLight{.directionToLight = {}}), HasSubstr("not zero"));
   EXPECT_THAT(complaintAbout(DirectionalLight{.irradiance = {-1, 0, 0}}),

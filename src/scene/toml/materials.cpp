@@ -125,8 +125,8 @@ class MaterialReader {
     appearance.colorModel = colorModel_;
     if (table_.has("color_texture")) appearance.color = {1, 1, 1};
     made_.source.appearance.applyTo(appearance);
-    if (appearance.ballMm > 0 && appearance.colorModel != ColorModel::Observed)
-      table_.fail("ball_mm", "is for observed colors, and color_model is another");
+    if (const std::string complaint = complaintAbout(appearance); !complaint.empty())
+      table_.fail("", complaint);
     std::optional<TranslucentSurface> surface = std::move(made_.translucent.surface);
     made_.translucent = bodyOf(appearance, texture("color_texture"));
     made_.translucent.surface = std::move(surface);
