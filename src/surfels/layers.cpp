@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "core/disjoint_sets.h"
@@ -21,6 +22,9 @@ constexpr double leastArea = 4;
 
 // The most parts that are told apart in one cell of the grid.
 constexpr std::size_t mostPartsOfCell = 16;
+
+// Each pair in both orders.
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -64,9 +68,9 @@ class Grid {
       here.push_back(facing);
   }
 
-  // Pairs of parts that face the same way in one cell or in neighbouring ones, each in both orders.
-  std::set<std::pair<std::uint32_t, std::uint32_t>> neighbours() const {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  // Pairs of parts that face the same way in one cell or in neighbouring ones.
+  Pairs neighbours() const {
+    Pairs pairs;
     for (const auto& [cell, facings] : cells_) {
       for (std::int64_t step = 0; step < 27; ++step) {
         const auto other = cells_.find(
@@ -92,6 +96,22 @@ class Grid {
   std::unordered_map<Cell, std::vector<Facing>, HashOfCell> cells_;
 };
 
+// Gives each part, one after the other, the first number that no neighbour has; 0 if none is left.
+std::unordered_map<std::uint32_t, std::uint8_t> numbered(const std::vector<std::uint32_t>& parts,
+                                                         const Pairs& neighbours) {
+  std::unordered_map<std::uint32_t, std::uint8_t> numbers;
+  for (const std::uint32_t part : parts) {
+    std::array<bool, Layers::mostLayers> taken{};
+    for (auto pair = neighbours.lower_bound({part, 0});
+         pair != neighbours.end() && pair->first == part; ++pair)
+      if (const auto other = numbers.find(pair->second); other != numbers.end())
+        taken[other->second] = true;
+    const auto free = std::find(taken.begin(), taken.end(), false) - taken.begin();
+    numbers[part] = free < Layers::mostLayers ? static_cast<std::uint8_t>(free) : std::uint8_t{0};
+  }
+  return numbers;
+}
+
 }  // namespace
 
 Layers::Layers(const core::RestSurface& surface) : surface_(surface) {
@@ -105,45 +125,44 @@ Layers::Layers(const core::RestSurface& surface) : surface_(surface) {
     partOfTriangle_.push_back(parts.find(points[triangle[0]]));
 }
 
-std::vector<std::uint8_t> Layers::ofItems(std::span<const Piece> pieces,
-                                          std::span<const TreeItem> items, double closeMm) const {
-  std::vector<std::uint8_t> layers(items.size(), 0);
+std::vector<std::uint32_t> Layers::largestFirst(std::span<const Piece> pieces,
+                                                std::span<const TreeItem> items,
+                                                double leastMm2) const {
   std::unordered_map<std::uint32_t, double> areaOfPart;
   for (const TreeItem& item : items) {
     const Piece& piece = pieces[item.index];
-    areaOfPart[partOfTriangle_[piece.triangle]] += areaMm2(surface_, piece);
+    areaOfPart[partOf(piece)] += areaMm2(surface_, piece);
   }
-  if (areaOfPart.size() < 2 || !(closeMm > 0)) return layers;
-
-  std::vector<std::pair<double, std::uint32_t>> parts;  // the largest first
+  std::vector<std::pair<double, std::uint32_t>> sorted;
   for (const auto& [part, area] : areaOfPart)
-    if (area >= leastArea * closeMm * closeMm) parts.emplace_back(-area, part);
-  if (parts.size() < 2) return layers;
-  std::sort(parts.begin(), parts.end());
-  std::unordered_map<std::uint32_t, std::uint8_t> layerOfPart;
-  for (const auto& [area, part] : parts) layerOfPart[part] = mostLayers;
+    if (area >= leastMm2) sorted.emplace_back(-area, part);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> parts;
+  for (const auto& [area, part] : sorted) parts.push_back(part);
+  return parts;
+}
 
+std::vector<std::uint8_t> Layers::ofItems(std::span<const Piece> pieces,
+                                          std::span<const TreeItem> items, double closeMm) const {
+  std::vector<std::uint8_t> layers(items.size(), 0);
+  if (!(closeMm > 0)) return layers;
+  const std::vector<std::uint32_t> parts =
+      largestFirst(pieces, items, leastArea * closeMm * closeMm);
+  if (parts.size() < 2) return layers;
+
+  const std::unordered_set<std::uint32_t> isLarge(parts.begin(), parts.end());
   Grid grid(closeMm);
   for (const TreeItem& item : items) {
     const Piece& piece = pieces[item.index];
-    const std::uint32_t part = partOfTriangle_[piece.triangle];
-    if (layerOfPart.count(part) != 0)
-      grid.add(item.placeMm, {part, wayOf(crossOf(surface_, piece.triangle))});
+    if (isLarge.contains(partOf(piece)))
+      grid.add(item.placeMm, {partOf(piece), wayOf(crossOf(surface_, piece.triangle))});
   }
-  const auto neighbours = grid.neighbours();
-  for (const auto& [area, part] : parts) {
-    std::array<bool, mostLayers + 1> taken{};
-    for (auto pair = neighbours.lower_bound({part, 0});
-         pair != neighbours.end() && pair->first == part; ++pair)
-      taken[layerOfPart[pair->second]] = true;
-    std::uint8_t layer = 0;
-    while (layer < mostLayers && taken[layer]) ++layer;
-    layerOfPart[part] = layer < mostLayers ? layer : std::uint8_t{0};
-  }
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto found = layerOfPart.find(partOfTriangle_[pieces[items[i].index].triangle]);
-    if (found != layerOfPart.end()) layers[i] = found->second;
-  }
+
+  const auto layerOfPart = numbered(parts, grid.neighbours());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (const auto found = layerOfPart.find(partOf(pieces[items[i].index]));
+        found != layerOfPart.end())
+      layers[i] = found->second;
   return layers;
 }
 

@@ -26,6 +26,11 @@ class Layers {
   static constexpr std::uint8_t mostLayers = 8;
 
  private:
+  std::uint32_t partOf(const Piece& piece) const { return partOfTriangle_[piece.triangle]; }
+  /// Parts of which the items have at least that area.
+  std::vector<std::uint32_t> largestFirst(std::span<const Piece> pieces,
+                                          std::span<const TreeItem> items, double leastMm2) const;
+
   const core::RestSurface& surface_;
   std::vector<std::uint32_t> partOfTriangle_;
 };
