@@ -86,10 +86,7 @@ void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene,
                      std::vector<NotShown>& hidden) {
   Object& object = scene.objects[index];
   forgetMaterial(scene.changes, index);
-  if (object.opaque) addNotShown(hidden, partsOf(*object.opaque), object.opaque->name);
-  if (object.opaque && !object.mesh.colors.empty())
-    addNotShown(hidden, "vertex colours", object.name);
-  if (object.paint) addNotShown(hidden, "colour textures of media", object.name);
+  addReplaced(hidden, object, !object.mesh.colors.empty());
   putMedium(medium, object);
 }
 
@@ -205,10 +202,7 @@ void setMedia(const LoadOptions& options, Scene& scene) {
       if (scene.objects[i].name == name) makeTranslucent(medium, i, scene, hidden);
     }
   }
-  if (hidden.empty()) return;
-  note(options.log,
-       fmt::format("not shown where a medium replaces a material: {}", textOf(hidden)));
-  addNotShown(scene.notShown, hidden);
+  noteReplaced(hidden, options.log, scene.notShown);
 }
 
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,

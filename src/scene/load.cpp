@@ -82,6 +82,7 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
   if (!scene.notShown.empty()) {
     note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }
+  addNotShown(scene.notShown, scene.unreadable);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/formats.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -67,6 +68,13 @@ void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::strin
   add(parts.occlusionTexture, "occlusion textures");
   add(parts.emission, "emission");
   add(parts.alphaMask, "alpha masks");
+}
+
+void noteReplaced(const std::vector<NotShown>& replaced, const LogCallback& log,
+                  std::vector<NotShown>& notShown) {
+  if (replaced.empty()) return;
+  note(log, fmt::format("not shown where a medium replaces a material: {}", textOf(replaced)));
+  addNotShown(notShown, replaced);
 }
 
 void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more) {

@@ -58,8 +58,9 @@ struct RawScene {
   std::vector<ClipChanges> changes;  ///< as in Scene
   std::vector<Deformer> deformers;
   std::vector<NotShown> notShown;
-  bool hasMediaPerMetre = false;    ///< the file gives mean free paths
-  std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
+  std::vector<NotShown> unreadable;  ///< also not shown; a note has said of each why
+  bool hasMediaPerMetre = false;     ///< the file gives mean free paths
+  std::optional<double> mmPerUnit;   ///< unknown for formats without a unit
 };
 
 }  // namespace opaline::scene

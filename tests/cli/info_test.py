@@ -93,12 +93,20 @@ class Info(ProgramTest):
         said = "note: not shown where a medium replaces a material: base colours (1: red)"
         self.assertIn(said, self.succeed("info", "cube.obj", "--medium", "skin1").err)
         self.assertIn(said, self.succeed("render", "cube.obj", "--medium", "skin1@red", "--size", "8x8", "-o", "a.png").err)
+        for table in ('medium = "skin1"\n', '[objects.red]\nmedium = "skin1"\n'):
+            self.write("scene.toml", 'model = "cube.obj"\n' + table)
+            run = self.succeed("info", "scene.toml", "--json")
+            self.assertEqual(run.json()["not_shown"], [{"what": "base colours", "count": 1, "names": ["red"]}], table)
+            self.assertIn(said, self.succeed("info", "scene.toml").err)
 
     def test_a_picture_that_is_missing(self):
         self.write("a.mtl", "newmtl red\nmap_Kd none.png\n")
         self.write("cube.obj", "mtllib a.mtl\nusemtl red\n" + CUBE_OBJ)
-        self.assertEqual(self.succeed("info", "cube.obj", "--json").json()["not_shown"],
-                         [{"what": "textures that cannot be read", "count": 1, "names": ["none.png"]}])
+        run = self.succeed("info", "cube.obj", "--json")
+        self.assertEqual(run.json()["not_shown"], [{"what": "textures that cannot be read", "count": 1, "names": ["none.png"]}])
+        notes = [line for line in self.succeed("info", "cube.obj").err.splitlines() if "none.png" in line]
+        self.assertEqual(len(notes), 1, notes)
+        self.assertIn("a texture is left out", notes[0])
 
     def test_the_built_in_scenes(self):
         bear = self.succeed("info", "--json").json()

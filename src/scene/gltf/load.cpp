@@ -245,7 +245,7 @@ RawScene loadGltf(const Input& input) {
   aimAtMiddle(gathering.scene);
   gathering.scene.changes = readChanges(input, model, gathering.nodes, gathering.motion,
                                         gathering.parts, gathering.materials, gathering.scene);
-  addNotShown(gathering.scene.notShown, gathering.materials.texturesNotShown());
+  gathering.scene.unreadable = gathering.materials.unreadableTextures();
   gathering.scene.nodes = std::move(gathering.motion.nodes);
   gathering.scene.clips = std::move(gathering.motion.clips);
   gathering.scene.mmPerUnit = mmPerMetre;

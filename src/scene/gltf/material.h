@@ -33,7 +33,7 @@ class GltfMaterials {
   std::set<int> opaque() const;
 
   /// Of all that have been asked for.
-  const std::vector<NotShown>& texturesNotShown() const { return textures_.notShown(); }
+  const std::vector<NotShown>& unreadableTextures() const { return textures_.unreadable(); }
 
  private:
   OpaqueMaterial read(const tinygltf::Material& of);

@@ -122,7 +122,7 @@ std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {
 
 void GltfTextures::leaveOut(std::string_view name, const std::string& reason) {
   if (!leftOut_.insert(reason).second) return;
-  addNotShown(notShown_, "textures that cannot be read", name);
+  addNotShown(unreadable_, "textures that cannot be read", name);
   note(input_.log,
        fmt::format("{}: a texture is left out: {}", cleanText(input_.file.string(), 1000), reason));
 }

@@ -27,7 +27,7 @@ class GltfTextures {
   std::optional<Texture> texture(const tinygltf::Value& info);
 
   /// Those whose picture cannot be read, of all that have been asked for.
-  const std::vector<NotShown>& notShown() const { return notShown_; }
+  const std::vector<NotShown>& unreadable() const { return unreadable_; }
 
  private:
   std::shared_ptr<const TexturePixels> pixelsOf(const tinygltf::Texture& texture);
@@ -40,7 +40,7 @@ class GltfTextures {
   const tinygltf::Model& model_;
   std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: cannot be read
   std::set<std::string> leftOut_;                               ///< why, said once each
-  std::vector<NotShown> notShown_;
+  std::vector<NotShown> unreadable_;
   std::size_t pixelsRead_ = 0;
 };
 

@@ -23,7 +23,8 @@ namespace {
 
 class MtlReader {
  public:
-  MtlReader(const Input& obj, std::vector<NotShown>& notShown) : obj_(obj), notShown_(notShown) {}
+  MtlReader(const Input& obj, std::vector<NotShown>& unreadable)
+      : obj_(obj), unreadable_(unreadable) {}
 
   void read(const std::string& file) {
     constexpr std::size_t longest = 64U << 20U;
@@ -90,7 +91,7 @@ class MtlReader {
       pixels = std::make_shared<const TexturePixels>(
           core::readTexture(file, readFile(file, longestFileBytes)));
     } catch (const Error& error) {
-      addNotShown(notShown_, "textures that cannot be read", name);
+      addNotShown(unreadable_, "textures that cannot be read", name);
       note(obj_.log, fmt::format("{}: a texture is left out: {}",
                                  cleanText(obj_.file.string(), 1000), error.what()));
     }
@@ -98,7 +99,7 @@ class MtlReader {
   }
 
   const Input& obj_;
-  std::vector<NotShown>& notShown_;
+  std::vector<NotShown>& unreadable_;
   std::map<std::string, OpaqueMaterial> materials_;
   std::map<std::string, std::shared_ptr<const TexturePixels>> pixels_;  // null: could not be read
 };
@@ -106,8 +107,8 @@ class MtlReader {
 }  // namespace
 
 std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
-                                              std::vector<NotShown>& notShown) {
-  MtlReader reader(obj, notShown);
+                                              std::vector<NotShown>& unreadable) {
+  MtlReader reader(obj, unreadable);
   for (const std::string& file : files) {
     try {
       reader.read(file);

@@ -13,8 +13,8 @@ namespace opaline::scene {
 
 /// The materials of an OBJ file's .mtl files, by name: Kd, Ks, Ns, Ke, d, map_Kd, map_Ke and norm,
 /// and Pr and Pm where a program wrote them. Files that cannot be read are left out, with a note.
-/// So are pictures, which are also counted in `notShown`.
+/// So are pictures, which are also counted in `unreadable`.
 std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
-                                              std::vector<NotShown>& notShown);
+                                              std::vector<NotShown>& unreadable);
 
 }  // namespace opaline::scene

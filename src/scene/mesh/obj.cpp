@@ -326,7 +326,7 @@ RawScene loadObj(const Input& input) {
 
   const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
   RawScene scene;
-  const Materials materials = readMtl(input, files, scene.notShown);
+  const Materials materials = readMtl(input, files, scene.unreadable);
   // Those that are neither a medium nor in a material file all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {

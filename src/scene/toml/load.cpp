@@ -20,6 +20,7 @@
 #include "scene/mesh/mesh_files.h"
 #include "scene/mesh/morph_to.h"
 #include "scene/mesh/sequence_state.h"
+#include "scene/not_shown.h"
 #include "scene/raw_scene.h"
 #include "scene/scene_source.h"
 #include "scene/text.h"
@@ -52,7 +53,8 @@ struct Assembly {
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
   ColorModel colorModel = ColorModel::Observed;
-  std::optional<Ground> ground{};  ///< its height is relative to the centre
+  std::vector<NotShown> replaced{};  ///< what media do not show of the materials they replace
+  std::optional<Ground> ground{};    ///< its height is relative to the centre
 };
 
 /// Refuses nesting that toml++ would follow by recursion.
@@ -135,16 +137,21 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
   return *known;
 }
 
+void replaceMaterial(const Medium& medium, RawObject& object, Assembly& to) {
+  addReplaced(to.replaced, object, !object.attributes.colors.empty());
+  putMedium(medium, object);
+}
+
 /// Sets the medium of all objects that are not metal, where the table names one.
-void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
+void setMedium(const TomlTable& table, RawScene& model, Assembly& to) {
   const auto medium = table.text("medium");
   if (!medium) return;
-  const Medium found = mediumNamed(table, "medium", *medium, from);
+  const Medium found = mediumNamed(table, "medium", *medium, to);
   for (std::size_t i = 0; i < model.objects.size(); ++i) {
     RawObject& object = model.objects[i];
     if (object.opaque && isMetal(*object.opaque)) continue;
     forgetMaterial(model.changes, i);
-    putMedium(found, object);
+    replaceMaterial(found, object, to);
   }
 }
 
@@ -294,8 +301,9 @@ void readObjects(const TomlTable& root, Assembly& to) {
         object.surface = material->second.translucent.surface;
       }
       if (medium) {
-        std::optional<Paint> kept = keepsPaint ? object.paint : std::nullopt;
-        putMedium(mediumNamed(table, "medium", *medium, to), object);
+        std::optional<Paint> kept;
+        if (keepsPaint) kept.swap(object.paint);
+        replaceMaterial(mediumNamed(table, "medium", *medium, to), object, to);
         object.paint = std::move(kept);
       }
       MaterialNumbers numbers;
@@ -405,6 +413,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   loadMaterials(root, assembly);
   loadModels(root, assembly);
   readObjects(root, assembly);
+  noteReplaced(assembly.replaced, assembly.options.log, assembly.scene.notShown);
   readDeformers(root, assembly);
   assembly.centre = middleOf(boundsOf(assembly.scene));
   readLighting(root, assembly);
