@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "opaline/export.h"
 #include "opaline/scene.h"
@@ -43,5 +44,16 @@ OPALINE_API double distanceToTargetMm(const Camera& camera);
 
 /// The up direction of a camera that was given none: +y, or ±z if it looks along y.
 OPALINE_API Vec3 usualUp(const Camera& camera);
+
+/// Where a camera is to stand and what it is to look at. What has no value stays as it is.
+struct CameraPlace {
+  std::optional<Vec3> positionMm;
+  std::optional<Vec3> targetMm;
+  /// From the target to the camera, unit, in place of a position: the camera keeps its distance.
+  std::optional<Vec3> direction;
+};
+
+/// Moves a camera there, with the usual up. Without any value nothing changes.
+OPALINE_API void placeCamera(const CameraPlace& place, Camera& camera);
 
 }  // namespace opaline

@@ -101,6 +101,18 @@ Vec3 usualUp(const Camera& camera) {
   return {0, 0, view[1] < 0 ? -1.0F : 1.0F};
 }
 
+void placeCamera(const CameraPlace& place, Camera& camera) {
+  using namespace scene;
+  if (!place.positionMm && !place.targetMm && !place.direction) return;
+  const double distanceMm = distanceToTargetMm(camera);
+  if (place.targetMm) camera.targetMm = *place.targetMm;
+  if (place.positionMm) camera.positionMm = *place.positionMm;
+  if (place.direction)
+    camera.positionMm =
+        toFloat(toDouble(camera.targetMm) + distanceMm * toDouble(*place.direction));
+  camera.up = usualUp(camera);
+}
+
 double distanceToTargetMm(const Camera& camera) {
   using namespace scene;
   const Double3 from = toDouble(camera.positionMm) - toDouble(camera.targetMm);

@@ -132,6 +132,25 @@ TEST(Framing, RefusesWhatSeesNothing) {
   EXPECT_THROW(Framing(cameraAt(camera.targetMm, 40), 1), UsageError);
 }
 
+TEST(PlaceCamera, MovesWhatIsGivenAndKeepsTheDistanceInADirection) {
+  Camera camera = cameraAt({1, 2, 13}, 30);
+  camera.up = {1, 0, 0};
+  const Vec3 target{4, 2, 3};
+  placeCamera({}, camera);
+  EXPECT_EQ(camera.up, (Vec3{1, 0, 0}));
+  placeCamera({.targetMm = target}, camera);
+  EXPECT_EQ(camera.positionMm, (Vec3{1, 2, 13}));
+  EXPECT_EQ(camera.targetMm, target);
+  EXPECT_EQ(camera.up, (Vec3{0, 1, 0}));
+  camera = cameraAt({1, 2, 13}, 30);
+  placeCamera({.targetMm = target, .direction = Vec3{0, 1, 0}}, camera);
+  EXPECT_EQ(camera.positionMm, (Vec3{4, 12, 3}));
+  EXPECT_EQ(camera.up, (Vec3{0, 0, -1}));
+  placeCamera({.positionMm = Vec3{7, 2, 3}}, camera);
+  EXPECT_EQ(camera.positionMm, (Vec3{7, 2, 3}));
+  EXPECT_EQ(camera.targetMm, target);
+}
+
 TEST(Framing, UsualUpIsNeverWhereTheCameraLooks) {
   EXPECT_EQ(usualUp(cameraAt({5, 6, 7}, 40)), (Vec3{0, 1, 0}));
   EXPECT_EQ(usualUp(cameraAt({1, 60, 3}, 40)), (Vec3{0, 0, -1}));

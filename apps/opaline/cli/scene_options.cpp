@@ -333,16 +333,16 @@ Lighting LightOptions::lightingFor(const Scene& scene) const {
 
 void CameraOptions::addTo(CommandLine& line) {
   line.value("--camera-direction", "X,Y,Z", "from the target to the camera [0,0,1]",
-             [this](const Given& given) { direction_ = readDirection(given); });
+             [this](const Given& given) { place_.direction = readDirection(given); });
   line.value("--camera-position", "X,Y,Z", "mm from the box's centre",
-             [this](const Given& given) { position_ = readPlace(given, lengthRange); });
+             [this](const Given& given) { place_.positionMm = readPlace(given, lengthRange); });
   line.value("--camera-target", "X,Y,Z", "",
-             [this](const Given& given) { target_ = readPlace(given, lengthRange); });
+             [this](const Given& given) { place_.targetMm = readPlace(given, lengthRange); });
   addField(line, options::fieldOf<Camera>("fov_degrees"), chosen_);
 }
 
 void CameraOptions::check() const {
-  if (!direction_ || !position_) return;
+  if (!place_.direction || !place_.positionMm) return;
   throw UsageError(
       "--camera-direction and --camera-position exclude each other: a direction keeps the distance "
       "and a position has one");
@@ -352,22 +352,16 @@ void CameraOptions::applyTo(Scene& scene) const {
   check();
   if (any()) stopCamera(scene);
   Camera& camera = scene.camera;
-  const double distanceMm = distanceToTargetMm(camera);
   const Vec3 middle = middleOf(boundsOf(scene));
-  if (target_) camera.targetMm = sum(middle, *target_);
-  if (position_) camera.positionMm = sum(middle, *position_);
-  if (direction_) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      camera.positionMm[axis] = static_cast<float>(double{camera.targetMm[axis]} +
-                                                   distanceMm * double{(*direction_)[axis]});
-    }
-  }
+  CameraPlace place = place_;
+  for (std::optional<Vec3>* const point : {&place.positionMm, &place.targetMm})
+    if (*point) *point = sum(middle, **point);
+  placeCamera(place, camera);
   if (!(distanceToTargetMm(camera) > 0)) {
     throw UsageError("--camera-position and --camera-target are the same place");
   }
-  if (direction_ || position_ || target_) camera.up = usualUp(camera);
   chosen_.applyTo(camera);
-  scene.cameraChosen = scene.cameraChosen || position_ || target_ || !chosen_.empty();
+  scene.cameraChosen = scene.cameraChosen || place.positionMm || place.targetMm || !chosen_.empty();
 }
 
 }  // namespace opaline::app

@@ -9,6 +9,7 @@
 #include "cli/command_line.h"
 #include "cli/medium_options.h"
 #include "opaline/environment.h"
+#include "opaline/framing.h"
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "opaline/scene_file.h"
@@ -70,7 +71,9 @@ class LightOptions {
 class CameraOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return direction_ || position_ || target_ || !chosen_.empty(); }
+  bool any() const {
+    return place_.positionMm || place_.targetMm || place_.direction || !chosen_.empty();
+  }
   /// A direction turns the scene's camera about its target at the same distance. Any option makes
   /// the camera a chosen one. Throws UsageError for options that contradict each other.
   void applyTo(Scene& scene) const;
@@ -78,9 +81,7 @@ class CameraOptions {
   void check() const;
 
  private:
-  std::optional<Vec3> direction_;
-  std::optional<Vec3> position_;  ///< relative to the centre of the scene's box
-  std::optional<Vec3> target_;    ///< likewise
+  CameraPlace place_;  ///< relative to the centre of the scene's box
   options::Chosen<Camera> chosen_;
 };
 

@@ -30,20 +30,14 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& 
   const auto table = root.table("camera");
   if (!table) return;
   table->requireKeys(keys::camera);
-  const auto direction = table->direction("direction");
-  const auto position = placeFrom(*table, "position_mm", centreMm);
-  const auto target = placeFrom(*table, "target_mm", centreMm);
-  if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
-  const bool placed = direction || position || target;
+  const CameraPlace place{placeFrom(*table, "position_mm", centreMm),
+                          placeFrom(*table, "target_mm", centreMm), table->direction("direction")};
+  if (place.direction && place.positionMm)
+    table->fail("direction", "cannot stand beside 'position_mm'");
   Camera camera = scene.camera ? *scene.camera : usualCamera(scene);
-  const double away = distanceToTargetMm(camera);
-  if (position) camera.positionMm = *position;
-  if (target) camera.targetMm = *target;
-  if (direction)
-    camera.positionMm = toFloat(toDouble(camera.targetMm) + away * toDouble(*direction));
+  placeCamera(place, camera);
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
   if (!(length(view) > 0)) table->fail("", "has the same position and target");
-  if (placed) camera.up = usualUp(camera);
   if (const auto up = table->vector("up")) {
     if (*up == Vec3{}) table->fail("up", "must not be zero");
     if (isAlong(view, *up))
@@ -54,7 +48,7 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& 
   chosen.applyTo(camera);
   scene.camera = camera;
   for (ClipChanges& changes : scene.changes) changes.cameras.clear();
-  scene.cameraChosen = scene.cameraChosen || position || target || !chosen.empty();
+  scene.cameraChosen = scene.cameraChosen || place.positionMm || place.targetMm || !chosen.empty();
 }
 
 }  // namespace opaline::scene
