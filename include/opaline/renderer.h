@@ -98,7 +98,8 @@ class OPALINE_API Renderer {
 
   /// Sets the positions of the object's vertices from the next submitted frame on, instead of its
   /// mesh or rig. Normals follow, and the scene's deformers still apply. The values are copied.
-  /// Throws UsageError unless there is a position for each vertex, finite and within 1e18 mm.
+  /// Throws UsageError unless there is a position for each vertex, finite and within 1e9 mm of the
+  /// middle of the scene.
   void replacePositions(std::size_t object, std::span<const Vec3> positionsMm);
 
   /// The same from a buffer of the device, which every frame reads again.

@@ -73,8 +73,9 @@ struct VulkanDevice {
 /// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and has to live until every frame that reads it has
 /// been collected. Writes to it have to be submitted to the same queue before the frame, and made
 /// visible to storage reads of compute shaders. A later write has to wait for these reads: behind a
-/// barrier, or until the frame has been collected. A vertex whose position is not finite, or is
-/// 1e18 mm away, keeps the position that it would have without the buffer.
+/// barrier, or until the frame has been collected. A vertex whose position is not finite, or not
+/// within 1e9 mm of the middle of the scene, keeps the position that it would have without the
+/// buffer.
 struct DevicePositions {
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4

@@ -252,11 +252,33 @@ TEST_F(RobustnessTest, ASceneThatDoesNotFitLeavesNone) {
 // A body that has shrunk to a point, or grown beyond the range of floats, causes no NaN.
 TEST_F(RobustnessTest, MotionWithoutMeasureIsBorne) {
   Scene scene = riggedBall();
-  for (const float scale : {0.0F, 1e-20F, 1e20F, 3e38F}) {
-    scene.clips[0].tracks[0].values = {scale, scale, scale, 1, 1, 1};
-    renderer().setScene(scene);
-    expectLightIsSound("scale " + std::to_string(scale));
-  }
+  for (const bool parallel : {false, true})
+    for (const float scale : {0.0F, 1e-20F, 1e10F, 1e20F, 3e38F}) {
+      scene.clips[0].tracks[0].values = {scale, scale, scale, 1, 1, 1};
+      if (parallel) scene.camera.orthographicHeightMm = 12.0F;
+      renderer().setScene(scene);
+      expectLightIsSound("scale " + std::to_string(scale));
+    }
+}
+
+// Such a camera shows bodies of any size, since its near plane does not move away with them.
+TEST_F(RobustnessTest, AFarVertexIsSeenOrthographicallyOrRefused) {
+  Scene scene = plainBall();
+  scene.lighting.ambient = {1, 1, 1};
+  scene.camera.orthographicHeightMm = 12.0F;
+  renderer().setScene(scene);
+  std::vector<Vec3> positions = scene.objects[0].mesh.positionsMm;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0F, 1.0F}) {
+      positions[0] = {};
+      positions[0][axis] = side * 9e8F;
+      renderer().replacePositions(0, positions);
+      expectLightIsSound("a vertex far along axis " + std::to_string(axis));
+      for (const float beyond : {1.1e9F, 1e11F, 1e30F, infinity, nan}) {
+        positions[0][axis] = side * beyond;
+        EXPECT_THROW(renderer().replacePositions(0, positions), UsageError) << beyond;
+      }
+    }
 }
 
 TEST_F(RobustnessTest, NothingIsRenderedWithoutAScene) {

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
-#include "core/possible_position.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
 #include "renderer/scene/scene_origin.h"
 #include "renderer/validate.h"
+#include "scene/finish.h"
 
 namespace opaline {
 
@@ -18,11 +19,23 @@ namespace {
 
 constexpr std::size_t bytesPerPosition = sizeof(Vec3);
 
+// As usable() in deform/vertices.comp.glsl. False for NaN.
+bool isNear(const Vec3& positionMm, const Vec3& middleMm) {
+  bool near = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    near = near && std::abs(positionMm[axis] - middleMm[axis]) < scene::longestDiagonalMm;
+  return near;
+}
+
 }  // namespace
 
 GivenPositions::GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges,
-                               const Vec3& originMm)
-    : device_(device), ranges_(std::move(ranges)), origin_(originMm), objects_(ranges_.size()) {
+                               const Vec3& originMm, const Vec3& middleMm)
+    : device_(device),
+      ranges_(std::move(ranges)),
+      origin_(originMm),
+      middle_(middleMm),
+      objects_(ranges_.size()) {
   if (!ranges_.empty()) vertices_ = ranges_.back().firstVertex + ranges_.back().vertexCount;
 }
 
@@ -49,12 +62,16 @@ void GivenPositions::give(std::size_t object, std::span<const Vec3> positionsMm,
   if (positionsMm.size() != ranges_[object].vertexCount)
     throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
                                  ranges_[object].vertexCount, positionsMm.size()));
-  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), core::isPossible);
+  const auto isUsable = [&](Vec3 position) {
+    seeFrom(origin_, position);
+    return isNear(position, middle_);
+  };
+  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), isUsable);
   if (bad != positionsMm.end())
     throw UsageError(
-        fmt::format("the position given for vertex {} of object {} is not finite, or "
-                    "beyond 1e18 mm",
-                    bad - positionsMm.begin(), object));
+        fmt::format("the position given for vertex {} of object {} is not finite, or not within "
+                    "{:.3g} mm of the scene's middle",
+                    bad - positionsMm.begin(), object, scene::longestDiagonalMm));
   makeRoom(motion);
   if (!staging_)
     staging_ = gpu::Buffer(device_, {.name = "given positions (staging)",

@@ -20,8 +20,10 @@ namespace opaline {
 /// Memory for them is allocated at the first use.
 class GivenPositions {
  public:
-  /// The scene has been moved to that origin; given positions have not.
-  GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges, const Vec3& originMm);
+  /// The scene has been moved to that origin; given positions have not. Its middle has been moved
+  /// with it.
+  GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges, const Vec3& originMm,
+                 const Vec3& middleMm);
 
   /// Throw UsageError for an object that does not exist or positions that do not fit it.
   void give(std::size_t object, std::span<const Vec3> positionsMm, passes::Motion& motion);
@@ -57,6 +59,7 @@ class GivenPositions {
   gpu::Device& device_;
   std::vector<ObjectRange> ranges_;
   Vec3 origin_;
+  Vec3 middle_;
   std::vector<Given> objects_;
   std::uint32_t vertices_ = 0;
   bool hasRoom_ = false;

@@ -10,6 +10,7 @@
 #include "deform/deformer.h"
 #include "gpu/device.h"
 #include "opaline/view.h"
+#include "scene/finish.h"
 
 namespace opaline {
 
@@ -57,7 +58,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
       origin_(originMm),
       ranges_(rangesOf(scene)),
       motion_(makeMotionTables(device, scene, merged, ranges_)),
-      given_(device, ranges_, originMm),
+      given_(device, ranges_, originMm, middleOf(boundsOf(scene))),
       pose_(scene::makePose(scene)),
       joints_(mostJoints(ranges_)),
       weights_(totalWeights(ranges_)),
@@ -75,7 +76,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
   const glm::vec3 middle = glm::make_vec3(middleOf(bounds).data());
   frame_.counts = {static_cast<std::uint32_t>(merged.positionsMm.size()), 0,
                    motion_.hasDeltas ? 1 : 0, motion_.hasInfluences ? 1 : 0};
-  frame_.middle = {middle, 0};
+  frame_.middle = {middle, scene::longestDiagonalMm};
   hasHeight_ = high.y > low.y;
   for (shared::DeformerData& data : frame_.deformers) {
     data.box = {middle.x, low.y, middle.z, high.y - low.y};

@@ -24,9 +24,9 @@ layout(std430, set = 0, binding = 12) buffer Bounds { uint bounds[6]; };
 shared uvec3 low[64];
 shared uvec3 high[64];  // inverted
 
-// False for NaN too.
+// Near enough to the scene that sums over its bodies stay in the range of floats. False for NaN too.
 bool usable(vec3 p) {
-  return all(lessThan(abs(p), vec3(1e18)));
+  return all(lessThan(abs(p - frame.middle.xyz), vec3(frame.middle.w)));
 }
 
 void morph(uint v, inout Posed p) {
@@ -98,7 +98,7 @@ void main() {
     Posed p = posed(v);
     bool stands = motions[rest[v].object].isGround != 0u;
     for (uint i = 0u; i < (stands ? 0u : frame.counts.y); ++i) p = deformed(p, frame.deformers[i]);
-    if (!usable(p.position)) p.position = frame.middle.xyz;
+    if (!stands && !usable(p.position)) p.position = frame.middle.xyz;
     positions[v] = vec4(p.position, 1.0);
     normals[v] = vec4(unitOr(p.normal, vec3(0.0, 1.0, 0.0)), motions[rest[v].object].side);
     for (int axis = 0; axis < 3 && !stands; ++axis) {

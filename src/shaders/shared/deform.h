@@ -69,7 +69,7 @@ struct DeformerData {
 
 struct DeformFrame {
   uvec4 counts;  // x: vertices; y: deformers; z: 1 with morph deltas; w: 1 with influences
-  vec4 middle;   // xyz: of the rest pose, mm
+  vec4 middle;   // xyz: of the rest pose, mm; w: how far from it vertices may move, mm
   DeformerData deformers[maxDeformers];
 };
 
