@@ -35,10 +35,14 @@ void note(void* memory) {
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* const memory = std::malloc(size > 0 ? size : 1);
+  if (memory != nullptr) note(memory);
+  return memory;
+}
+void* operator new(std::size_t size) {
+  void* const memory = operator new(size, std::nothrow);
   if (memory == nullptr) throw std::bad_alloc();
-  note(memory);
   return memory;
 }
 void operator delete(void* memory) noexcept {

@@ -241,6 +241,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
                            isOpaque ? (resources.letsLightThrough[i] ? 2U : 1U) : 0U};
     objects[i].body = {surfels.firstObject, 0, 0, 0};
+    if (isOpaque) continue;
     setMediumOf(resources, i, resources.media[resources.mediumOfObject[i]], transport, objects[i]);
   }
   return objects;
