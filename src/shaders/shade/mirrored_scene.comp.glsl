@@ -79,17 +79,20 @@ vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
 // From this width of the lobe on, it sees patches of clusters as their mean.
 const float leastAlphaOfMeans = 0.146;
 
-// w: whether it is known.
+// Weights of what is met are multiples of this.
+const float leastWeight = 0.125;
+
+// w: how much it counts, 0 where it is not known.
 vec4 radianceAt(vec3 place, uint piece, vec3 direction, float itsAlpha) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
   ObjectData body = objects[objectOfPiece(piece)];
   bool opaque = isOpaque(body);
-  float known = opaque ? 1.0 : insides != 0u ? clusters[cluster].second.w : 0.0;
+  float counts = opaque ? 1.0 : insides != 0u ? leastWeight * floor(clusters[cluster].second.w / leastWeight + 0.5) : 0.0;
   vec3 facet = facetNormal(piece);
   if (hasBack(body) && clusters[cluster].along.w * dot(facet, direction) > 0.0) cluster = backOf(cluster, body);
-  if (itsAlpha >= leastAlphaOfMeans || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
+  if (itsAlpha >= leastAlphaOfMeans || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, counts);
   vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
-  return vec4(exitanceAt(place, normal, body, cluster) / pi, known);
+  return vec4(exitanceAt(place, normal, body, cluster) / pi, counts);
 }
 
 // How a surface mirrors.
@@ -132,32 +135,30 @@ Rays raysShared(Mirror mirror) {
   return Rays(mirror.opaque ? 32u : 16u, 16u, 4);
 }
 
-// What rays have met: the summed radiance of bodies, and how many rays met those whose light is known, met anything,
-// and were sent.
+// What rays have met: the summed radiance of bodies, the sum of its weights, and how many rays met anything and were
+// sent.
 struct Found {
   vec3 sum;
-  float known;
+  float weights;
   float any;
   float sent;
 };
 
-const uint bitsOfCount = 7u;
+// Bits of the number of rays of a window, and of that of their weights. Together they are exact in a float.
+const int bitsOfRays = 7;
+const int bitsOfWeights = 10;
 
 vec4 packed(Found found) {
-  uint counts = uint(found.known) | uint(found.any) << bitsOfCount | uint(found.sent) << 2u * bitsOfCount;
+  uint counts = uint(found.any) | uint(found.sent) << bitsOfRays | uint(found.weights / leastWeight) << 2 * bitsOfRays;
   return vec4(found.sum, float(counts));
-}
-
-float countIn(uint counts, uint which) {
-  return float(bitfieldExtract(counts, int(which * bitsOfCount), int(bitsOfCount)));
 }
 
 void add(vec4 packedMet, inout Found found) {
   uint counts = uint(packedMet.w);
   found.sum += packedMet.rgb;
-  found.known += countIn(counts, 0u);
-  found.any += countIn(counts, 1u);
-  found.sent += countIn(counts, 2u);
+  found.any += float(bitfieldExtract(counts, 0, bitsOfRays));
+  found.sent += float(bitfieldExtract(counts, bitsOfRays, bitsOfRays));
+  found.weights += leastWeight * float(bitfieldExtract(counts, 2 * bitsOfRays, bitsOfWeights));
 }
 
 // The widest rays go first. Where so many of a pixel that shares none meet nothing, nor do the others.
@@ -176,7 +177,7 @@ Found sendRays(MeshPlace place, Mirror mirror, uint cell, Rays rays) {
     if (hit.piece == noPiece) continue;
     vec4 radiance = radianceAt(start.origin + hit.distance * direction, hit.piece, direction, mirror.alpha);
     found.sum += (mirror.opaque ? 1.0 : radiance.w) * radiance.rgb;
-    found.known += radiance.w;
+    found.weights += radiance.w;
     found.any += 1.0;
   }
   return found;
@@ -207,7 +208,7 @@ Found foundAround(ivec2 pixel, MeshPlace place, int width) {
 
 // See SeenMaterial::around.
 vec4 aroundOf(Found found, bool opaque) {
-  if (!opaque) return found.known > 0.0 ? vec4(found.sum / found.known, 1.0) : vec4(0.0);
+  if (!opaque) return found.weights > 0.0 ? vec4(found.sum / found.weights, 1.0) : vec4(0.0);
   if (found.sent == 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
   return vec4(found.sum, found.sent - found.any) / found.sent;
 }
