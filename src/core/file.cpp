@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "opaline/error.h"
+#include "opaline/types.h"
 
 namespace opaline {
 
