@@ -173,7 +173,7 @@ TEST_F(OptionsTable, BothNamesOfAnOptionAreRefused) {
 TEST_F(OptionsTable, NumbersOutOfRangeAreRefusedWithTheSameSentenceEverywhere) {
   for (const PictureField& field : numbers()) {
     for (const double number : {field.allowed.range.least - 1, field.allowed.range.most + 1}) {
-      const std::string sentence = options::requirement(field.allowed, field.like);
+      const std::string sentence = options::typedRequirement(field.allowed, field.like);
       const std::string one = fmt::format("{}", number);
       const bool size = std::holds_alternative<options::Size>(field.like);
       const bool color = std::holds_alternative<Rgb>(field.like);
