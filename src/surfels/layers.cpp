@@ -138,6 +138,7 @@ std::vector<std::uint32_t> Layers::largestFirst(std::span<const Piece> pieces,
     if (area >= leastMm2) sorted.emplace_back(-area, part);
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::uint32_t> parts;
+  parts.reserve(sorted.size());
   for (const auto& [area, part] : sorted) parts.push_back(part);
   return parts;
 }
