@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 #include <variant>
 
 #include "opaline/options/scene.h"
@@ -9,6 +10,28 @@
 namespace opaline {
 
 namespace options {
+
+namespace {
+
+// What shapes of area lights have in common.
+template <typename Shape>
+Field<Shape> radiusOf() {
+  return field<Shape, &Shape::radiusMm>("radius_mm", {lengthAboveZero}, "its radius");
+}
+template <typename Shape>
+Field<Shape> radianceOf() {
+  return field<Shape, &Shape::radiance>("radiance", {power}, "the same in all directions");
+}
+template <typename Shape>
+Field<Shape> twoSidedOf() {
+  return field<Shape, &Shape::twoSided>("two_sided", {}, "light of its back");
+}
+template <typename Shape>
+Field<Shape> visibleOf() {
+  return field<Shape, &Shape::visible>("visible", {}, "seen in the picture itself");
+}
+
+}  // namespace
 
 template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf() {
@@ -45,10 +68,9 @@ const std::vector<Field<SpotLight>>& fieldsOf() {
 template <>
 const std::vector<Field<RectangleLight>>& fieldsOf() {
   static const std::vector<Field<RectangleLight>> table{
-      field<RectangleLight, &RectangleLight::radiance>("radiance", {power},
-                                                       "the same in all directions"),
-      field<RectangleLight, &RectangleLight::twoSided>("two_sided", {}, "light of its back"),
-      field<RectangleLight, &RectangleLight::visible>("visible", {}, "seen in the picture itself"),
+      radianceOf<RectangleLight>(),
+      twoSidedOf<RectangleLight>(),
+      visibleOf<RectangleLight>(),
   };
   return table;
 }
@@ -56,10 +78,10 @@ const std::vector<Field<RectangleLight>>& fieldsOf() {
 template <>
 const std::vector<Field<DiscLight>>& fieldsOf() {
   static const std::vector<Field<DiscLight>> table{
-      field<DiscLight, &DiscLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
-      field<DiscLight, &DiscLight::radiance>("radiance", {power}, "the same in all directions"),
-      field<DiscLight, &DiscLight::twoSided>("two_sided", {}, "light of its back"),
-      field<DiscLight, &DiscLight::visible>("visible", {}, "seen in the picture itself"),
+      radiusOf<DiscLight>(),
+      radianceOf<DiscLight>(),
+      twoSidedOf<DiscLight>(),
+      visibleOf<DiscLight>(),
   };
   return table;
 }
@@ -67,9 +89,9 @@ const std::vector<Field<DiscLight>>& fieldsOf() {
 template <>
 const std::vector<Field<SphereLight>>& fieldsOf() {
   static const std::vector<Field<SphereLight>> table{
-      field<SphereLight, &SphereLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
-      field<SphereLight, &SphereLight::radiance>("radiance", {power}, "the same in all directions"),
-      field<SphereLight, &SphereLight::visible>("visible", {}, "seen in the picture itself"),
+      radiusOf<SphereLight>(),
+      radianceOf<SphereLight>(),
+      visibleOf<SphereLight>(),
   };
   return table;
 }
@@ -77,9 +99,9 @@ const std::vector<Field<SphereLight>>& fieldsOf() {
 template <>
 const std::vector<Field<TubeLight>>& fieldsOf() {
   static const std::vector<Field<TubeLight>> table{
-      field<TubeLight, &TubeLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
-      field<TubeLight, &TubeLight::radiance>("radiance", {power}, "the same in all directions"),
-      field<TubeLight, &TubeLight::visible>("visible", {}, "seen in the picture itself"),
+      radiusOf<TubeLight>(),
+      radianceOf<TubeLight>(),
+      visibleOf<TubeLight>(),
   };
   return table;
 }
@@ -162,6 +184,18 @@ std::size_t shadowMapsOf(const SpotLight& light) {
   return light.outerDegrees <= widestView ? 1 : mapsOfCube;
 }
 
+namespace {
+
+template <typename Light>
+std::string complaintAboutAny(std::string_view kind, const std::vector<Light>& lights) {
+  for (const Light& light : lights)
+    if (const std::string complaint = complaintAbout(light); !complaint.empty())
+      return fmt::format("{}: {}", kind, complaint);
+  return {};
+}
+
+}  // namespace
+
 std::string complaintAboutEnvironment(const Image& environment) {
   if (!isSound(environment))
     return fmt::format(
@@ -193,18 +227,12 @@ std::string complaintAbout(const Lighting& lighting) {
         "for a directional light, 6 for a point light and 1 for a spot light, or 6 where its outer "
         "angle is above 50 degrees",
         directional, points, spots, maps, Lighting::maxShadowMaps);
-  for (const DirectionalLight& light : lighting.directional)
-    if (std::string complaint = complaintAbout(light); !complaint.empty())
-      return "a directional light: " + complaint;
-  for (const PointLight& light : lighting.points)
-    if (std::string complaint = complaintAbout(light); !complaint.empty())
-      return "a point light: " + complaint;
-  for (const SpotLight& light : lighting.spots)
-    if (std::string complaint = complaintAbout(light); !complaint.empty())
-      return "a spot light: " + complaint;
-  for (const AreaLight& light : lighting.areas)
-    if (std::string complaint = complaintAbout(light); !complaint.empty())
-      return "an area light: " + complaint;
+  for (const std::string& complaint :
+       {complaintAboutAny("a directional light", lighting.directional),
+        complaintAboutAny("a point light", lighting.points),
+        complaintAboutAny("a spot light", lighting.spots),
+        complaintAboutAny("an area light", lighting.areas)})
+    if (!complaint.empty()) return complaint;
   std::string complaint = options::complaintAboutFields(lighting);
   return complaint.empty() ? complaint : "the ambient light: " + complaint;
 }

@@ -4,7 +4,4 @@
 
 const float unknownShare = -1.0;  // the pixels are not of one surface, or mirror too sharply
 
-// From this width of the lobe on, pixels need not tell apart what they mirror.
-const float leastAlphaShared = 0.04;
-
 #endif

@@ -23,19 +23,13 @@ const uint rayMeets = 0u;
 const uint rayIsFree = 1u;
 const uint noRay = 2u;  // it would enter the surface
 
-// How rough a mirroring surface is, and which way it faces.
-struct Mirror {
-  float alpha;
-  vec3 normal;
-};
-
 uint raysOfSample(float itsAlpha) {
   return uint(skyRaysOfSample(itsAlpha));
 }
 
 // Sends the i-th of `count` rays of the lobe at a place.
 uint reflectedRay(uint i, uint count, MeshPlace place, Mirror mirror) {
-  vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
+  vec3 direction = reflectedDirection(i, count, mirror, place);
   if (direction == vec3(0.0)) return noRay;
   RayStart start = rayStartOn(place);
   bool meets = occluded(start.origin, direction, start.least, 3e38, RayTarget(0u, nodeCount, everyObject));

@@ -16,6 +16,7 @@
 #include "lib/material.glsl"
 #include "lib/mesh.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/window_cell.glsl"
 #include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 8) buffer Materials { SeenMaterial materials[]; };
@@ -104,24 +105,20 @@ uint packed(Share share) {
   return share.all > 0.0 ? uint(share.visible / share.all * float(whole) + 0.5) : unasked;
 }
 
-// Which of 4×4 pixels it is, and which of the quarters of 8×8 it is in.
-uint cellOf(ivec2 pixel) {
-  return uint(pixel.x & 3) + 4u * uint(pixel.y & 3);
-}
-
+// Which of the quarters of 8×8 pixels it is in.
 uint quarterOf(ivec2 pixel) {
-  return uint(pixel.x >> 2 & 1) + 2u * uint(pixel.y >> 2 & 1);
+  return cellOf(pixel / width, 2);
 }
 
 uint firstShareOf(AreaView view, Receiver receiver, ivec2 pixel) {
   Share share = Share(0.0, 0.0);
-  sendRay(view, receiver, firstPlace(view, cellOf(pixel), quarterOf(pixel)), nodeCount, share);
+  sendRay(view, receiver, firstPlace(view, cellOf(pixel, width), quarterOf(pixel)), nodeCount, share);
   return packed(share);
 }
 
 uint shareAgainOf(AreaView view, Receiver receiver, ivec2 pixel) {
   Share share = Share(0.0, 0.0);
-  uint firstPlace = raysAgain * (16u * quarterOf(pixel) + cellOf(pixel));
+  uint firstPlace = raysAgain * (16u * quarterOf(pixel) + cellOf(pixel, width));
   for (uint i = 0u; i < raysAgain; ++i)
     sendRay(view, receiver, netPlace(firstPlace + i), nodeCount, share);
   return packed(share);

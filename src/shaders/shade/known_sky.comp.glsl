@@ -14,6 +14,7 @@
 #include "lib/seen_entry.glsl"
 #include "lib/work_group.glsl"
 #include "lib/listing.glsl"
+#include "lib/reflected_rays.glsl"
 #include "lib/sky_block.glsl"
 
 layout(std430, set = 0, binding = 5) writeonly buffer SkyShares { float skyShares[]; };

@@ -18,6 +18,7 @@
 #include "lib/ray_start.glsl"
 #include "lib/reflected_rays.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/window_cell.glsl"
 #include "shared/boundary.h"
 #include "shared/opaque.h"
 
@@ -95,22 +96,14 @@ vec4 radianceAt(vec3 place, uint piece, vec3 direction, float itsAlpha) {
   return vec4(exitanceAt(place, normal, body, cluster) / pi, counts);
 }
 
-// How a surface mirrors.
-struct Mirror {
-  bool opaque;
-  float alpha;
-  vec3 normal;
-};
-
-Mirror mirrorOf(Seen seen, MeshPlace place) {
-  bool opaque = isOpaque(objects[place.object]);
-  if (!opaque && ownSurfaces == 0u) return Mirror(false, alpha, place.normal);
-  return Mirror(opaque, materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
+Mirror mirrorOf(Seen seen, MeshPlace place, bool opaque) {
+  if (!opaque && ownSurfaces == 0u) return Mirror(alpha, place.normal);
+  return Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
 }
 
 // A surface that mirrors next to nothing needs no rays.
-bool mirrorsBodies(Seen seen, Mirror mirror) {
-  if (!mirror.opaque) return translucent != 0u && skyShares[seen.entry] < 1.0;
+bool mirrorsBodies(Seen seen, bool opaque) {
+  if (!opaque) return translucent != 0u && skyShares[seen.entry] < 1.0;
   return materials[seen.entry].metal.w > 0.0 || materials[seen.entry].dielectric != vec4(0.0);
 }
 
@@ -125,14 +118,13 @@ Rays raysAlone(float itsAlpha) {
   return Rays(itsAlpha < 0.002 ? 1u : clamp(uint(48.0 * itsAlpha), 4u, mostMirroredRays), 1u, 1);
 }
 
-// From these widths of the lobe on, 2×2 and 4×4 pixels need not tell apart what they mirror.
-const float leastAlphaOf2 = 0.04;
+// From this width of the lobe on, 4×4 pixels share their rays; before, 2×2 do.
 const float leastAlphaOf4 = 0.09;
 
-Rays raysShared(Mirror mirror) {
-  if (mirror.alpha < leastAlphaOf2) return raysAlone(mirror.alpha);
-  if (mirror.alpha < leastAlphaOf4) return Rays(mirror.opaque ? 16u : 4u, 4u, 2);
-  return Rays(mirror.opaque ? 32u : 16u, 16u, 4);
+Rays raysShared(float itsAlpha, bool opaque) {
+  if (itsAlpha < leastAlphaShared) return raysAlone(itsAlpha);
+  if (itsAlpha < leastAlphaOf4) return Rays(opaque ? 16u : 4u, 4u, 2);
+  return Rays(opaque ? 32u : 16u, 16u, 4);
 }
 
 // What rays have met: the summed radiance of bodies, the sum of its weights, and how many rays met anything and were
@@ -143,6 +135,8 @@ struct Found {
   float any;
   float sent;
 };
+
+const Found nothing = Found(vec3(0.0), 0.0, 0.0, 0.0);
 
 // Bits of the number of rays of a window, and of that of their weights. Together they are exact in a float.
 const int bitsOfRays = 7;
@@ -164,36 +158,30 @@ void add(vec4 packedMet, inout Found found) {
 // The widest rays go first. Where so many of a pixel that shares none meet nothing, nor do the others.
 const float enough = 3.0;
 
-Found sendRays(MeshPlace place, Mirror mirror, uint cell, Rays rays) {
+Found sendRays(MeshPlace place, Mirror mirror, bool opaque, uint cell, Rays rays) {
   RayStart start = rayStartOn(place);
-  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  Found found = nothing;
   for (uint left = rays.count - cell; left > 0u && left <= rays.count; left -= rays.every) {
     if (rays.every == 1u && found.sent == enough && found.any == 0.0) break;
     uint i = left - 1u;
-    vec3 direction = reflectedDirection(i, rays.count, mirror.alpha, mirror.normal, place);
+    vec3 direction = reflectedDirection(i, rays.count, mirror, place);
     if (direction == vec3(0.0)) continue;
     found.sent += 1.0;
     RayHit hit = nearestHit(start.origin, direction, start.least, 3e38, RayTarget(0u, nodeCount, everyObject));
     if (hit.piece == noPiece) continue;
     vec4 radiance = radianceAt(start.origin + hit.distance * direction, hit.piece, direction, mirror.alpha);
-    found.sum += (mirror.opaque ? 1.0 : radiance.w) * radiance.rgb;
+    found.sum += (opaque ? 1.0 : radiance.w) * radiance.rgb;
     found.weights += radiance.w;
     found.any += 1.0;
   }
   return found;
 }
 
-// Which of the window's pixels it is.
-uint cellOf(ivec2 pixel, int width) {
-  ivec2 cell = pixel & (width - 1);
-  return uint(cell.x + width * cell.y);
-}
-
 // What the pixels of a window around have found of the same surface. Windows of an even width lie to one side of the
 // pixel by half a pixel; the second round's lie to the other.
 Found foundAround(ivec2 pixel, MeshPlace place, int width) {
   ivec2 window = windowAround(round == taking ? pixel + 1 : pixel, width);
-  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  Found found = nothing;
   for (uint i = 0u; i < uint(width * width); ++i) {
     ivec2 other = pixelOfWindow(window, i, width);
     if (!isInBand(other)) continue;
@@ -217,20 +205,21 @@ void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  Mirror mirror = mirrorOf(seen, place);
-  Rays rays = raysShared(mirror);
-  bool mirrors = mirrorsBodies(seen, mirror);
+  bool opaque = isOpaque(objects[place.object]);
+  Mirror mirror = mirrorOf(seen, place, opaque);
+  Rays rays = raysShared(mirror.alpha, opaque);
+  bool mirrors = mirrorsBodies(seen, opaque);
   bool shares = mirrors && rays.width > 1 && isFirstSurface(seen);
   if (round != taking) {
     if (!isFirstSurface(seen)) return;
-    Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
-    if (shares && round == sendingRays) found = sendRays(place, mirror, cellOf(seen.pixel, rays.width), rays);
+    Found found = nothing;
+    if (shares && round == sendingRays) found = sendRays(place, mirror, opaque, cellOf(seen.pixel, rays.width), rays);
     if (shares && round == averaging) found = foundAround(seen.pixel, place, rays.width);
     metNow[indexOf(seen.pixel)] = packed(found);
     return;
   }
-  Found found = Found(vec3(0.0), 0.0, 0.0, 0.0);
+  Found found = nothing;
   if (shares) found = foundAround(seen.pixel, place, rays.width);
-  if (mirrors && found.sent == 0.0) found = sendRays(place, mirror, 0u, raysAlone(mirror.alpha));
-  if (mirrors || !mirror.opaque) materials[seen.entry].around = aroundOf(found, mirror.opaque);
+  if (mirrors && found.sent == 0.0) found = sendRays(place, mirror, opaque, 0u, raysAlone(mirror.alpha));
+  if (mirrors || !opaque) materials[seen.entry].around = aroundOf(found, opaque);
 }

@@ -17,6 +17,7 @@
 #include "lib/seen.glsl"
 #include "lib/sky_block.glsl"
 #include "lib/sky_rays.glsl"
+#include "lib/window_cell.glsl"
 
 layout(local_size_x = 64, local_size_x_id = 19) in;
 
@@ -230,11 +231,6 @@ void ask(uint level) {
   barrier();
 }
 
-// Which of 2×2 blocks it is.
-uint cellOf(ivec2 block) {
-  return uint(block.x & 1) + 2u * uint(block.y & 1);
-}
-
 // Sends rays of the lobe from the smallest blocks that are left, each pixel half of what it would send alone. Blocks
 // side by side send different ones.
 void askDisagreeing() {
@@ -247,7 +243,7 @@ void askDisagreeing() {
     uint i = k / apart;
     ivec2 pixel = pixelOfBlock(asked[levels][k % apart]);
     MeshPlace place = placeSeenAt(pixel + cornerOf(i % 4u));
-    uint ray = reflectedRay(4u * i + (i + cellOf(pixel / 2) & 3u), 4u * rays, place, Mirror(alpha, place.normal));
+    uint ray = reflectedRay(4u * i + (i + cellOf(pixel / 2, 2) & 3u), 4u * rays, place, Mirror(alpha, place.normal));
     if (ray != noRay) atomicAdd(answers[k % apart], 1u + (ray << 16u));
   }
   barrier();
