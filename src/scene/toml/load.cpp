@@ -8,7 +8,6 @@
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/framing.h"
-#include "opaline/media.h"
 #include "opaline/options/scene.h"
 #include "opaline/scene_file.h"
 #include "scene/changes.h"
@@ -28,6 +27,7 @@
 #include "scene/toml/keys.h"
 #include "scene/toml/lights.h"
 #include "scene/toml/materials.h"
+#include "scene/toml/media.h"
 #include "scene/toml/paths.h"
 #include "scene/toml/placement.h"
 #include "scene/toml/reader.h"
@@ -46,7 +46,7 @@ struct Assembly {
   SceneSource source{};
   std::vector<Repair> repairs{};
   std::optional<MeshFiles> meshes{};  ///< where the model is a sequence
-  std::map<std::string, Medium, std::less<>> media{};
+  Media media{};
   std::map<std::string, TomlMaterial> materials{};
   std::vector<double> modelDiagonalsMm{};  ///< before anything is placed
   Vec3 centre{};
@@ -105,38 +105,6 @@ RawScene takeBuiltIn(Scene&& built, Assembly& to) {
   return fromBuiltIn(std::move(built));
 }
 
-void readMedia(const TomlTable& root, Assembly& to) {
-  const auto media = root.table("media");
-  if (!media) return;
-  for (const auto& [name, table] : media->subtables()) {
-    table.requireKeys(keys::medium);
-    Medium medium;
-    const options::Chosen<Medium> chosen = chosenIn<Medium>(table);
-    if (const auto measured = table.text("measured")) {
-      const auto known = findMedium(*measured);
-      if (!known) table.fail("measured", "names no medium; `opaline media` lists them");
-      medium = *known;
-    } else if (!chosen.has("sigma_s_per_mm") || !chosen.has("sigma_a_per_mm")) {
-      table.fail("", "needs 'measured', or both 'sigma_s_per_mm' and 'sigma_a_per_mm'");
-    }
-    medium.name = cleanText(name);
-    chosen.applyTo(medium);
-    to.media.emplace(name, medium);
-  }
-}
-
-Medium mediumNamed(const TomlTable& table, std::string_view key, const std::string& name,
-                   const Assembly& from) {
-  const auto own = from.media.find(name);
-  if (own != from.media.end()) return own->second;
-  const auto known = findMedium(name);
-  if (!known) {
-    table.fail(key, fmt::format("names '{}', which is neither under [media] nor measured",
-                                cleanText(name, 60)));
-  }
-  return *known;
-}
-
 void replaceMaterial(const Medium& medium, RawObject& object, Assembly& to) {
   addReplaced(to.replaced, object, !object.attributes.colors.empty());
   putMedium(medium, object);
@@ -146,7 +114,7 @@ void replaceMaterial(const Medium& medium, RawObject& object, Assembly& to) {
 void setMedium(const TomlTable& table, RawScene& model, Assembly& to) {
   const auto medium = table.text("medium");
   if (!medium) return;
-  const Medium found = mediumNamed(table, "medium", *medium, to);
+  const Medium found = mediumNamed(table, "medium", *medium, to.media);
   for (std::size_t i = 0; i < model.objects.size(); ++i) {
     RawObject& object = model.objects[i];
     if (object.opaque && isMetal(*object.opaque)) continue;
@@ -303,7 +271,7 @@ void readObjects(const TomlTable& root, Assembly& to) {
       if (medium) {
         std::optional<Paint> kept;
         if (keepsPaint) kept.swap(object.paint);
-        replaceMaterial(mediumNamed(table, "medium", *medium, to), object, to);
+        replaceMaterial(mediumNamed(table, "medium", *medium, to.media), object, to);
         object.paint = std::move(kept);
       }
       MaterialNumbers numbers;
@@ -326,7 +294,7 @@ void loadMaterials(const TomlTable& root, Assembly& to) {
   to.materials =
       readMaterials(root, to.file, to.colorModel,
                     [&](const TomlTable& table, std::string_view key, const std::string& name) {
-                      return mediumNamed(table, key, name, to);
+                      return mediumNamed(table, key, name, to.media);
                     });
   for (auto& [name, material] : to.materials) {
     material.source.became = material.translucent.medium;
@@ -409,7 +377,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   Assembly assembly{file, quieter};
   assembly.source.sceneFile = file;
   readColorModel(root, assembly);
-  readMedia(root, assembly);
+  assembly.media = readMedia(root);
   loadMaterials(root, assembly);
   loadModels(root, assembly);
   readObjects(root, assembly);
