@@ -72,6 +72,10 @@ void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   if (all > 0.0 && distance > minDistance && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
+// A ray looks for its next leaf in this many boxes, then waits until its neighbours have gone through the leaves that
+// they have found.
+const uint boxesAtOnce = 8u;
+
 // Goes to the next leaf that the ray meets, then through its pieces. Neighbours, each on its own way,
 // have the same to do more often that way.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
@@ -82,6 +86,7 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
   uint node = target.firstNode;
   while (node < target.endNode && !(anyWillDo && hit.piece != noPiece)) {
     uint met = 0u;  // link of a leaf, which is not 0
+    uint boxes = 0u;
     do {
       RayBox box = boxOf(node);
       uint link = box.sidesLink.w;
@@ -89,7 +94,7 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
       bool leaf = isLeaf(link);
       if (meets && leaf) met = link;
       node = meets || leaf ? node + 1u : afterNode(node, link);
-    } while (node < target.endNode && met == 0u);
+    } while (node < target.endNode && met == 0u && ++boxes < boxesAtOnce);
     uint piece = firstSurfelOf(met) * pieces;
     uint end = piece + surfelCountOf(met) * pieces;
     for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
