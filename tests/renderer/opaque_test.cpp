@@ -255,6 +255,28 @@ TEST_F(OpaqueTest, AlphaCutsHoles) {
   for (const int at : {8, 24}) EXPECT_NEAR(double{images[0].pixel(at, at)[0]}, 1 / pi, 0.01);
 }
 
+TEST_F(OpaqueTest, AlphaCutsHolesWithoutATextureToo) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  material.alphaCutoff = 0.5F;
+  Scene scene = squareOf(material);
+  scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
+  const auto depthOf = [&] { return render(scene, options(), {Aov::Depth})[0].pixel(16, 16)[0]; };
+  const float ofWhole = depthOf();
+  EXPECT_GT(ofWhole, 0);
+  scene.objects[0].opaque->alpha = 0.4F;
+  EXPECT_EQ(depthOf(), 0);
+  // Holes that a material gets later.
+  scene.objects[0].opaque->alphaCutoff = 0;
+  EXPECT_EQ(depthOf(), ofWhole);
+  View view(renderer(), options());
+  material.alpha = 0.6F;
+  renderer().setMaterial(0, {.opaque = material});
+  EXPECT_EQ(view.render({.aovs = {Aov::Depth}}).images[0].pixel(16, 16)[0], ofWhole);
+  material.alpha = 0.4F;
+  renderer().setMaterial(0, {.opaque = material});
+  EXPECT_EQ(view.render({.aovs = {Aov::Depth}}).images[0].pixel(16, 16)[0], 0);
+}
+
 // A large luminous plane over a matt one: irradiance π L, less at the rim.
 TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   OpaqueMaterial lamp = mattMaterial({0, 0, 0});

@@ -24,7 +24,8 @@ bool readsAttributes(const Scene& scene) {
   for (const Object& object : scene.objects) {
     const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
     if (!material) continue;
-    any = any || !object.mesh.colors.empty();
+    // What has holes reads the alpha of its vertices.
+    any = any || !object.mesh.colors.empty() || material->alphaCutoff > 0;
     for (const TextureOfMaterial& of : texturesOfMaterial) any = any || (*material).*of.texture;
   }
   return any;
@@ -54,6 +55,11 @@ shared::OpaqueData dataOf(const OpaqueMaterial& material, bool hasAttributes,
         packer.add(material.*texturesOfMaterial[i].texture, texturesOfMaterial[i].meaning);
   setNumbers(material, data);
   return data;
+}
+
+// Whether the tables that these were made for have attributes of vertices.
+bool haveAttributes(const std::vector<shared::OpaqueData>& data) {
+  return !data.empty() && data.front().rest.z != 0;
 }
 
 std::vector<shared::VertexAttributes> attributesOf(const Scene& scene) {
@@ -218,7 +224,9 @@ bool retakeMaterials(gpu::Device& device, const Scene& scene,
       if (const auto& texture = material.*of.texture;
           texture && !packer->knows(*texture->pixels, of.meaning))
         return false;
-  onHost = dataOf(materials, readsAttributes(scene), *packer);
+  const bool reads = readsAttributes(scene);
+  if (reads && !haveAttributes(onHost)) return false;
+  onHost = dataOf(materials, reads, *packer);
   tables.materials = gpu::makeBuffer(device, "opaque materials", onHost, storage);
   return true;
 }
