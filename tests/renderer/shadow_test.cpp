@@ -116,6 +116,34 @@ TEST_F(ShadowTest, OfAPointLightLiesWhereItShould) {
   EXPECT_NEAR(std::sqrt(area), 2 * half, texelMm);  // half a texel per edge
 }
 
+// From afar light is parallel, and so sharp that only the box around the scene need be in its view.
+TEST_F(ShadowTest, OfADistantLightIsAsSharpAsOfANearOne) {
+  for (const float awayMm : {400.0F, 4000.0F, 40000.0F}) {
+    SCOPED_TRACE(awayMm);
+    const Vector light{0, static_cast<double>(awayMm), 0};
+    Scene scene = floorAnd(sheet({0, 10, 0}, {0, 0, 4}, {4, 0, 0}, 8));
+    const float intensity = awayMm * awayMm;
+    scene.lighting.points = {{toVec3(light), {intensity, intensity, intensity}}};
+    RenderOptions options = smallOptions();
+    options.dsmSize = 512;
+    const auto unshadowed = [&](const Vector& p) {
+      const Vector offset = light - p;
+      return light[1] * light[1] / dot(offset, offset) * entering(1.5, unit(offset)[1]);
+    };
+    const double half = 4 * light[1] / (light[1] - 10);
+    const double texelMm = 2 * 20.5 / options.shadowSize;  // the floor is 40 mm wide
+    const auto expect = [&] {
+      const auto images = render(scene, options, {Aov::DsmPosition, Aov::DsmIrradiance});
+      expectShadow(images[0], images[1], 2.5 * texelMm, unshadowed,
+                   [&](const Vector& p) { return outside(p[0], p[2], half, 0); });
+    };
+    expect();
+    scene.lighting.spots = {{toVec3(light), {0, -1, 0}, {intensity, intensity, intensity}, 30, 40}};
+    scene.lighting.points.clear();
+    expect();
+  }
+}
+
 // With a single view of the cone, and with the six of a cube.
 TEST_F(ShadowTest, OfASpotLightLiesWhereItShould) {
   const Vector light{0, 25, 0};

@@ -82,19 +82,42 @@ void fitDirectional(uint light, Box box) {
   frame.shadowViews[frame.lights[light].kind.y] =
       fromRows(fittedRow(basis.right, x), fittedRow(basis.up, y),
                vec4(-basis.forward / depth, z.y / depth), vec4(0.0, 0.0, 0.0, 1.0));
+  frame.lights[light].view = vec4(basis.forward, 1.0);
   frame.lights[light].depth = vec4(z.y, -depth, 0.0, 0.0);
   frame.lights[light].texel.x = max(x.y - x.x, y.y - y.x) / mapSize;
 }
 
-// Extends to the tangent on either side.
-mat4 perspectiveView(vec3 position, vec3 forward, float tangent, float near) {
+// From the position, past a place straight ahead, which may be the position itself. Extends to the tangent on either
+// side.
+mat4 perspectiveView(vec3 position, vec3 ahead, vec3 forward, float tangent, float near) {
   Basis basis = basisAlong(forward);
-  return fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
-                  vec4(basis.up, -dot(basis.up, position)) / tangent, vec4(0.0, 0.0, 0.0, near),
+  return fromRows(vec4(basis.right, -dot(basis.right, ahead)) / tangent,
+                  vec4(basis.up, -dot(basis.up, ahead)) / tangent, vec4(0.0, 0.0, 0.0, near),
                   vec4(forward, -dot(forward, position)));
 }
 
-// Six perspective views of 90°, or one of a cone, each wider by as much as filtering reaches beyond its edge.
+// Sees nothing.
+mat4 emptyView() {
+  return fromRows(vec4(0.0, 0.0, 0.0, 2.0), vec4(0.0), vec4(0.0), vec4(0.0, 0.0, 0.0, 1.0));
+}
+
+const float boundless = 3e38;
+
+// The tangent to which a view of the box extends on either side, or `boundless` where part of it is beside or behind.
+float tangentOf(Box box, vec3 position, vec3 forward) {
+  Basis basis = basisAlong(forward);
+  float tangent = 0.0;
+  for (uint i = 0u; i < 8u; ++i) {
+    vec3 way = mix(box.low, box.high, bvec3(i & 1u, i & 2u, i & 4u)) - position;
+    float depth = dot(way, forward);
+    if (depth <= 1e-3 * length(way)) return boundless;
+    tangent = max(tangent, max(abs(dot(way, basis.right)), abs(dot(way, basis.up))) / depth);
+  }
+  return max(1.001 * tangent, 1e-6);
+}
+
+// One perspective view of the box, if that is narrower than the light's own: six of 90°, or one of a cone. Each is
+// wider by as much as filtering reaches beyond its edge.
 void fitPoint(uint light, Box box) {
   vec3 position = frame.lights[light].place.xyz;
   uvec4 kind = frame.lights[light].kind;
@@ -102,14 +125,29 @@ void fitPoint(uint light, Box box) {
   float diagonal = distance(box.low, box.high);
   // A face's depth is at least 1/√3 of the distance, and half of it in a cone of 50°.
   float near = max(max(0.5 * distanceTo(box, position), 1e-3 * diagonal), 1e-6);
-  float tangent = (1.0 + 2.0 * filterBorder / mapSize) *
-                  (kind.z == 1u ? frame.lights[light].cone.z : 1.0);
+  bool one = kind.z == 1u;
+  float tangent = one ? frame.lights[light].cone.z : 1.0;
+  vec3 only = frame.lights[light].axis.xyz;
+  vec3 ahead = position;
+  vec3 middle = mix(box.low, box.high, 0.5);
+  if (distanceTo(box, position) > 0.0) {
+    vec3 towards = normalize(middle - position);
+    float ofBox = tangentOf(box, position, towards);
+    if (ofBox < tangent) {
+      one = true;
+      tangent = ofBox;
+      only = towards;
+      ahead = middle;
+    }
+  }
+  tangent *= 1.0 + 2.0 * filterBorder / mapSize;
   for (uint view = 0u; view < kind.z; ++view) {
     vec3 forward = vec3(0.0);
     forward[view / 2u] = (view & 1u) == 0u ? 1.0 : -1.0;
-    if (kind.z == 1u) forward = frame.lights[light].axis.xyz;
-    frame.shadowViews[kind.y + view] = perspectiveView(position, forward, tangent, near);
+    frame.shadowViews[kind.y + view] =
+        one && view > 0u ? emptyView() : perspectiveView(position, ahead, one ? only : forward, tangent, near);
   }
+  frame.lights[light].view = vec4(only, one ? 1.0 : 0.0);
   frame.lights[light].depth = vec4(near, 0.0, 0.0, 0.0);
   frame.lights[light].texel.x = 2.0 * tangent / mapSize;
 }

@@ -48,13 +48,13 @@ float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData me
 }
 
 // Whether a light of that kind has a shadow map of parallel rays. Otherwise it has the six views of a
-// cube around it, or one along the axis of its cone.
+// cube around it, or one of its cone or of the box around the scene.
 bool isParallel(uint kind) {
   return kind == directionalLight;
 }
 
 bool hasOneView(LightData light) {
-  return light.kind.z == 1u;
+  return light.view.w != 0.0;
 }
 
 #endif

@@ -37,13 +37,16 @@ float depthSlope(LightData light, vec3 toLight, vec3 normal) {
     float depth = max(size.x, max(size.y, size.z));
     alongAxis = depth == size.x ? normal.x : depth == size.y ? normal.y : normal.z;
     if (hasOneView(light)) {
-      depth = -dot(toLight, light.axis.xyz);
-      alongAxis = dot(normal, light.axis.xyz);
+      depth = -dot(toLight, light.view.xyz);
+      alongAxis = dot(normal, light.view.xyz);
     }
     facing /= depth;
   }
   return sqrt(max(1.0 - alongAxis * alongAxis, 0.0)) / max(facing, 1e-3);
 }
+
+// Depth from a distant light is rounded to this part of the distance.
+const float roundingOfDepth = 4e-7;
 
 // Percentage-closer filtering (Reeves et al. 1987) over a box of 3×3 texels, continuous in the
 // position of the receiver. The bias is what the slope of the surface makes of the way to the
@@ -56,11 +59,13 @@ float visibilityOf(IncidentLight incident, vec3 position, vec3 normal) {
   uint layer = light.kind.y + (hasOneView(light) ? 0u : cubeFace(-toLight));
 
   vec4 clip = frame.shadowViews[layer] * vec4(position, 1.0);
+  if (clip.w <= 0.0) return 1.0;  // the light is between it and all that casts shadows
   float size = float(frame.counts.y);
   vec2 place = (clip.xy / clip.w * 0.5 + 0.5) * size - 0.5;
   float receiverMm = shadowDepthMm(light, clip.z / clip.w);
   float texelMm = light.texel.x * (parallel ? 1.0 : receiverMm);
   receiverMm -= texelMm * (0.5 + 2.83 * min(depthSlope(light, toLight, normal), 8.0));
+  if (!parallel) receiverMm -= roundingOfDepth * receiverMm;
 
   vec2 base = floor(place);
   vec2 f = place - base;

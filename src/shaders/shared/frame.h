@@ -47,7 +47,9 @@ struct LightData {
   vec4 cone;   // x, y: scale and offset of its falloff (lights/spot.h), 0 and 1 for any other point
                // light; z: tangent of the outer angle. For an area light xyz: from the middle to
                // another edge; w: radius of a sphere or a tube
-  uvec4 kind;  // x: of light; y: first shadow view; z: number of them; w: shape of an area light
+  uvec4 kind;  // x: of light; y: first shadow view; z: room for so many; w: shape of an area light
+  vec4 view;   // from gather/fit.comp: xyz: unit, the direction of its only view; w: 1 where it has
+               // only one
 };
 
 struct FrameData {
