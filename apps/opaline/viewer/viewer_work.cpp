@@ -89,6 +89,12 @@ void Viewer::takeLoaded() {
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
+    if (!resizing_) {
+      truth_.forget();
+      // Files go on into the folder of the last.
+      const std::filesystem::path last(session_.saveName);
+      made.saveName = (last.parent_path() / made.name).string();
+    }
     poke_.end();
     stage_.setScene(made.scene, session_.scene);
     session_ = std::move(made);

@@ -58,6 +58,20 @@ TEST_F(TruthViewTest, RunsUntilItsEndHasBeenSeen) {
   EXPECT_FALSE(truth.update());
 }
 
+// What another scene's truth was says nothing of a scene.
+TEST_F(TruthViewTest, ForgottenItShowsNothing) {
+  truth.start(session, renderer, TruthOrder::Method::Integral, 8, 8);
+  updateUntilItEnds(truth);
+  EXPECT_TRUE(truth.hasPicture());
+  EXPECT_TRUE(truth.figures());
+  truth.forget();
+  EXPECT_FALSE(truth.hasPicture());
+  EXPECT_FALSE(truth.figures());
+  EXPECT_FALSE(truth.blocks());
+  EXPECT_FALSE(truth.latest());
+  EXPECT_FALSE(truth.update());
+}
+
 TEST_F(TruthViewTest, AFailureIsSomethingToSee) {
   session.positionsMm = {{1, {}}};  // of a body that is not there
   truth.start(session, renderer, TruthOrder::Method::Integral, 8, 8);

@@ -86,11 +86,14 @@ void tip(const char* text) {
   const bool fits = beneath + size.y <= screen.y || above < 0;
   ImGui::SetNextWindowPos(
       {std::max(0.0F, std::min(low.x, screen.x - size.x - gap)), fits ? beneath : above});
+  // As clear beside a control that is disabled, which is drawn half transparent.
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(padding.x + wrap);
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  ImGui::PopStyleVar();
 }
 
 void text(const std::string& shown) {

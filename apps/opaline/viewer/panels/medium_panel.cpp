@@ -112,13 +112,13 @@ void showLengths(const Medium& medium) {
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::Text("%s, mm", name);
+    ImGui::TextWrapped("%s, mm", name);
     for (const double value : mm) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(lengthNumber(value).c_str());
     }
   };
-  row("mean free path", lengths.meanFreePathMm);
+  row("transport mean free path", lengths.meanFreePathMm);
   row("diffusion length", lengths.diffusionMm);
   ImGui::EndTable();
 }

@@ -93,7 +93,9 @@ void drawSavePanel(Session& session, const Saver& saver) {
     ImGui::SameLine();
     choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
   }
-  ImGui::TextDisabled("P and S save %s, or its next free name.", session.saveName.c_str());
+  ImGui::BeginDisabled();
+  controls::text(fmt::format("P and S save {}, or its next free name.", session.saveName));
+  ImGui::EndDisabled();
   drawPictureSize(session);
   drawBackground(session);
   drawFilm(session);

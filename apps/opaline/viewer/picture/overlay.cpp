@@ -104,7 +104,7 @@ void drawScaleBar(const Session& session, const Projection& projection, const Ar
   };
   if (!object.opaque) {
     const MediumLengths lengths = lengthsOf(object.medium);
-    rows("mean free path", lengths.meanFreePathMm);
+    rows("transport mean free path", lengths.meanFreePathMm);
     rows("diffusion length", lengths.diffusionMm);
   }
   labels.take({left, top, widest, y + 0.5F * line - top});
@@ -161,11 +161,27 @@ Box boxOf(const std::vector<Caption>& captions, const Area& area) {
           height};
 }
 
+namespace {
+
+struct Key {
+  const char* key;
+  const char* does;
+};
+
+// The list lies over the middle of the picture, but not beyond the window. Where its lines do not
+// fit they are wrapped, and the list can be scrolled.
+void placeKeys(const Area& area, float naturalWidth) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = std::min(naturalWidth, screen.x);
+  const float middle = static_cast<float>(area.x) + 0.5F * static_cast<float>(area.width);
+  const float left = std::clamp(middle - 0.5F * width, 0.0F, screen.x - width);
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
+  ImGui::SetNextWindowPos({left, 0.5F * screen.y}, ImGuiCond_Always, {0, 0.5F});
+}
+
+}  // namespace
+
 void drawKeys(const Area& area) {
-  struct Key {
-    const char* key;
-    const char* does;
-  };
   constexpr std::array keys{Key{"drag", "turn about the scene; move a light by its handle"},
                             Key{"shift drag, middle drag", "move along the picture"},
                             Key{"wheel, right drag", "nearer, further"},
@@ -185,20 +201,27 @@ void drawKeys(const Area& area) {
                             Key{"O, X", "exposure up, down by half a stop"},
                             Key{"?", "these keys"},
                             Key{"Ctrl Q", "leave"}};
-  ImGui::SetNextWindowPos({static_cast<float>(area.x) + 0.5F * static_cast<float>(area.width),
-                           static_cast<float>(area.y) + 0.5F * static_cast<float>(area.height)},
-                          ImGuiCond_Always, {0.5F, 0.5F});
-  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration |
-                                     ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  const auto longest = [&](const char* Key::*column) {
+    float width = 0;
+    for (const Key& key : keys) width = std::max(width, ImGui::CalcTextSize(key.*column).x);
+    return width + 2 * ImGui::GetStyle().CellPadding.x;
+  };
+  const float keyWidth = longest(&Key::key);
+  const float doesWidth = longest(&Key::does);
+  placeKeys(area, keyWidth + doesWidth + 2 * ImGui::GetStyle().WindowPadding.x);
+  constexpr ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   ImGui::Begin("keys", nullptr, flags);
-  if (ImGui::BeginTable("list", 2, ImGuiTableFlags_SizingFixedFit)) {
+  if (ImGui::BeginTable("list", 2, ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, keyWidth);
+    ImGui::TableSetupColumn("does", ImGuiTableColumnFlags_WidthStretch, doesWidth);
     for (const Key& key : keys) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(key.key);
+      ImGui::TextWrapped("%s", key.key);
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(key.does);
+      ImGui::TextWrapped("%s", key.does);
     }
     ImGui::EndTable();
   }

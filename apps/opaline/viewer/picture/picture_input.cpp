@@ -25,6 +25,10 @@ void expose(Session& session, float stops) {
 }
 
 void step(Session& session, double seconds) {
+  if (!movesInTime(session)) {
+    session.refused = nothingMoves;
+    return;
+  }
   session.time.seconds = std::max(0.0, session.time.seconds + seconds);
   session.edits.picture = true;
 }
@@ -143,9 +147,11 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
     case GLFW_KEY_B:
       session.poke = !session.poke;
       return;
-    case GLFW_KEY_H:
-      session.gizmos = session.scaleBar = !session.gizmos;
+    case GLFW_KEY_H: {
+      const bool any = session.gizmos || session.scaleBar;
+      session.gizmos = session.scaleBar = !any;
       return;
+    }
     case GLFW_KEY_O:
       return expose(session, 0.5F);
     case GLFW_KEY_X:

@@ -11,6 +11,19 @@ namespace opaline::app::viewer {
 
 namespace {
 
+// Gives newly loaded objects what was edited in the window. What the file says of the others may
+// have changed.
+void keepEdits(const Session& edited, std::vector<Object>& objects) {
+  const std::size_t known = std::min(edited.scene.objects.size(), objects.size());
+  for (std::size_t i = 0; i < known; ++i) {
+    const Object& before = edited.scene.objects[i];
+    objects[i].medium = before.medium;
+    if (!edited.source.numbersOfObject.contains(before.name)) continue;
+    objects[i].opaque = before.opaque;
+    objects[i].surface = before.surface;
+  }
+}
+
 // Everything must be drawn for the first time.
 Edits newScene(const Scene& scene) {
   Edits edits;
@@ -52,15 +65,14 @@ Session resized(const Session& edited, Loader::Result result) {
   made.notes = std::move(result.notes);
   made.source = std::move(result.loaded->source);
   made.source.environment = edited.source.environment;
+  made.source.numbersOfObject = edited.source.numbersOfObject;
   made.sequence = std::move(result.loaded->sequence);
   made.positionsMm.clear();
   made.diagonalMm = diagonalMm(loaded);
   made.report.reset();
 
   Scene& scene = made.scene;
-  for (std::size_t i = 0; i < scene.objects.size() && i < loaded.objects.size(); ++i) {
-    loaded.objects[i].medium = scene.objects[i].medium;
-  }
+  keepEdits(edited, loaded.objects);
   scene.objects = std::move(loaded.objects);
   scene.nodes = std::move(loaded.nodes);
   scene.clips = std::move(loaded.clips);

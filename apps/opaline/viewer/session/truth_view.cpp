@@ -47,6 +47,15 @@ void TruthView::cancel() {
   running_ = false;
 }
 
+void TruthView::forget() {
+  cancel();
+  latest_.reset();
+  truth_.clear();
+  heatMap_.clear();
+  figures_.reset();
+  blocks_.reset();
+}
+
 bool TruthView::update() {
   if (!job_) return false;
   // The state is read before the picture, so that the last picture is there once the job has ended.

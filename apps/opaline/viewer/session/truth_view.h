@@ -27,6 +27,8 @@ class TruthView {
   void start(const Session& session, Renderer& renderer, TruthOrder::Method method, int width,
              int height);
   void cancel();
+  /// Cancels it, and drops what it has found, which is of no use for another scene.
+  void forget();
   /// As of the last update(), so that a caller who waits for the end does not miss it.
   bool running() const { return running_; }
   double progress() const { return job_ ? job_->progress() : 0; }
