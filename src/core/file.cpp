@@ -42,6 +42,7 @@ fs::path folderOf(const fs::path& target) {
 }
 
 std::uintmax_t sizeOfRegular(const fs::path& file) {
+  if (file.empty()) throw Error("Cannot read a file without a name.");
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) {

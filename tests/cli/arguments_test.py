@@ -42,6 +42,8 @@ class Refusals(ProgramTest):
         self.refused(2, "rendr", says=("rendr", "did you mean render?"))
         self.refused(2, "xyzzyxyzzy", says="there is no command xyzzyxyzzy;")
         self.refused(2, "", says="there is no command")
+        self.refused(2, "info", "", says="SCENE must not be empty")
+        self.refused(2, "render", "--environment", "", says="--environment needs a value, FILE")
 
     def test_an_unknown_option_suggests_its_neighbour(self):
         for typed, meant in [("--sizee", "--size"), ("--fov", "--fov-degrees"), ("--diagonal-m", "--diagonal-mm"),
@@ -133,6 +135,8 @@ class Refusals(ProgramTest):
             ("--directional", "0,0,1:1,1", "three numbers"),
             ("--directional", "0,0,nan", "must be from"),
             ("--directional", "0,0,1:-1,1,1", "each from 0"),
+            ("--directional", "0,0,1:1:20", "--directional 0,0,1:1:20: '20': must be from 0 to 10"),
+            ("--environment", "", "--environment needs a value, FILE"),
             ("--point", "0,0,10", "needs an intensity"),
             ("--rectangle", "0,0,10:1,0,0:0,1,0", "needs a centre, two half edges and a radiance"),
             ("--rectangle", "0,0,10:1,0,0:2,0,0:1", "neither be zero nor parallel"),

@@ -86,6 +86,11 @@ std::string spaced(std::string names) {
   return comma == std::string::npos ? names : names.replace(comma, 1, ", ");
 }
 
+std::string missing(const std::string& name, const std::string& placeholder) {
+  if (name == placeholder) return fmt::format("{} must not be empty", name);
+  return fmt::format("{} needs a value, {}", name, placeholder);
+}
+
 }  // namespace
 
 std::string suggestion(std::string_view typed, std::span<const std::string> candidates) {
@@ -222,7 +227,10 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
       throw UsageError(fmt::format("{} is given {} times, with {} and {}; give it once", name,
                                    given.size(), given[0], given[1]));
     }
-    for (const std::string& text : given) entry.take({name, text});
+    for (const std::string& text : given) {
+      if (text.empty()) throw UsageError(missing(name, entry.placeholder));
+      entry.take({name, text});
+    }
   }
   for (const auto& take : flagTakers_) take();
   const bool silent = (json_ != nullptr && *json_) || (quiet_ != nullptr && *quiet_);
@@ -264,9 +272,8 @@ void CommandLine::run(std::vector<std::string> arguments) {
       if (entry.option == nullptr) continue;
       const std::string option = entry.option->get_name();
       if (option != name && option != "--" + name) continue;
-      throw UsageError(entry.placeholder.empty()
-                           ? fmt::format("{} takes no value", option)
-                           : fmt::format("{} needs a value, {}", option, entry.placeholder));
+      throw UsageError(entry.placeholder.empty() ? fmt::format("{} takes no value", option)
+                                                 : missing(option, entry.placeholder));
     }
     throw UsageError(message);
   } catch (const CLI::ParseError& error) {

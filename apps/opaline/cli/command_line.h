@@ -19,6 +19,7 @@ namespace opaline::app {
 struct Given {
   std::string option;
   std::string text;
+  std::string whole{};  ///< of which the text is a part; none: it is all that was given
 };
 
 /// The options of one command: reads the arguments and writes the help, which fits a screen.

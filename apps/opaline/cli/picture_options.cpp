@@ -165,7 +165,7 @@ void PictureOptions::takeAov(const Given& given) {
     return;
   }
   aov_ = Aov::Surfels;
-  treeLevel_ = readInteger(Given{given.option, given.text.substr(withLevel.size())}, 0, 64);
+  treeLevel_ = readInteger({given.option, given.text.substr(withLevel.size()), given.text}, 0, 64);
 }
 
 void PictureOptions::applyTo(RenderOptions& options) const {

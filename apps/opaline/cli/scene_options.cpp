@@ -29,11 +29,16 @@ struct PlacedColour {
   std::optional<Rgb> colour;
 };
 
+Given partOf(const Given& given, std::size_t from, std::size_t end) {
+  const std::string part = given.text.substr(from, end == std::string::npos ? end : end - from);
+  return {given.option, part, part == given.text ? std::string() : given.text};
+}
+
 PlacedColour readPlacedColour(const Given& given, const Range& range) {
   const std::size_t colon = given.text.find(':');
-  PlacedColour result{{given.option, given.text.substr(0, colon)}, std::nullopt};
+  PlacedColour result{partOf(given, 0, colon), std::nullopt};
   if (colon != std::string::npos) {
-    result.colour = readColour({given.option, given.text.substr(colon + 1)}, range);
+    result.colour = readColour(partOf(given, colon + 1, std::string::npos), range);
   }
   return result;
 }
@@ -44,7 +49,7 @@ std::vector<Given> partsOf(const Given& given) {
   std::size_t from = 0;
   while (from <= given.text.size()) {
     const std::size_t end = std::min(given.text.find(':', from), given.text.size());
-    parts.push_back({given.option, given.text.substr(from, end - from)});
+    parts.push_back(partOf(given, from, end));
     from = end + 1;
   }
   return parts;
@@ -268,9 +273,9 @@ void LightOptions::addTo(CommandLine& line) {
       any_ = true;
     });
   };
-  area("--rectangle", "", "see docs/light.md", readRectangle);
-  area("--disc", "", "", readDisc);
-  area("--sphere", "", "", readSphere);
+  area("--rectangle", "SHAPE:R,G,B", "see docs/light.md", readRectangle);
+  area("--disc", "SHAPE:R,G,B", "", readDisc);
+  area("--sphere", "SHAPE:R,G,B", "", readSphere);
   area("--tube", "SHAPE:R,G,B", "", readTube);
   line.value("--ambient", "R,G,B", "radiance from all sides; albedo [0.5]",
              [this](const Given& given) {

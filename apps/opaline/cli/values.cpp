@@ -24,6 +24,8 @@ std::optional<double> toNumber(std::string_view text) {
 }
 
 [[noreturn]] void refuse(const Given& given, const std::string& reason) {
+  if (!given.whole.empty())
+    throw UsageError(fmt::format("{} {}: '{}': {}", given.option, given.whole, given.text, reason));
   throw UsageError(fmt::format("{} {}: {}", given.option, given.text, reason));
 }
 

@@ -97,9 +97,9 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
   return !skyIsDark(lighting) && (plan.transport == Transport::Boundary || plan.ambientOcclusion);
 }
 
-bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
-  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern &&
-         (plan.mirrorsBodies || !skyIsDark(lighting));
+// Where it is no sky that surfaces mirror, it is themselves, whatever the sky is.
+bool mirrorsSky(const FramePlan& plan) {
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern;
 }
 
 bool leavesByOrigin(const FramePlan& plan) {
@@ -135,7 +135,7 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   if (plan.transport == Transport::Boundary && !scene.hasInside() && !plan.opaque)
     plan.transport = Transport::BetterDipole;
   plan.mirrorsBodies = plan.mirrorsBodies && (plan.opaque || plan.transport == Transport::Boundary);
-  plan.mirrorsSky = mirrorsSky(plan, lighting);
+  plan.mirrorsSky = mirrorsSky(plan);
 }
 
 }  // namespace opaline

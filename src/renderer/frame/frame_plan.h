@@ -84,7 +84,7 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting);
 
 /// Whether reflections show the sky only where the scene leaves it free. The method of 2008 has no
 /// surfels that rays could meet, and reflects all of the sky.
-bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
+bool mirrorsSky(const FramePlan& plan);
 
 /// Whether light leaves bodies in directions that depend on where it comes from.
 bool leavesByOrigin(const FramePlan& plan);

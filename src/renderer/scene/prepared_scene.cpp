@@ -59,7 +59,7 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
   if (options.transport == Transport::Boundary || occludesSky(plan, lighting))
     needs.maxClusters = options.maxClusters;
   if (plan.opaque && options.sum != Sum::Pattern) needs.maxClusters = options.maxClusters;
-  const bool sendsRays = mirrorsSky(plan, lighting) || !lighting.areas.empty();
+  const bool sendsRays = mirrorsSky(plan) || !lighting.areas.empty();
   if (sendsRays && !needs.maxClusters) needs.rays = true;
   if (options.sum != Sum::Pattern || needs.rays || needs.maxClusters)
     needs.maxSurfels = options.maxSurfels;
