@@ -150,21 +150,27 @@ TEST_F(ReflectedSkyTest, FollowsTheBodyAsItMoves) {
 TEST_F(ReflectedSkyTest, TheSceneIsMirroredAsBrightAsTheSurface) {
   Scene scene = floorAndWall(openMesh());
   scene.objects.front().medium = {"white", {1, 1, 1}, {0.01, 0.01, 0.01}, eta};
-  RenderOptions options = mirror();
-  const auto images = render(scene, options, {Aov::Radiance, Aov::Position, Aov::Exitance});
-  options.specular = false;
-  const Image plain = render(options, {Aov::Radiance})[0];
-  int seen = 0;
-  forEachCovered(images[1], [&](std::size_t i) {
-    const Vector place = toVector(&images[1].rgba[i]);
-    const Vector toCamera = unit(toVector(scene.camera.positionMm) - place);
-    if (mirrorsSky(place, toCamera).value_or(true)) return;
-    ++seen;
-    const auto own = static_cast<double>(images[2].rgba[i]) / std::numbers::pi;
-    EXPECT_NEAR(static_cast<double>(images[0].rgba[i] - plain.rgba[i]), fresnel(toCamera[1]) * own,
-                0.004);
-  });
-  EXPECT_GT(seen, 200);
+  Lighting lamp;
+  lamp.directional.push_back({toVec3(unit({0.3, 0.8, 0.5})), {3, 3, 3}});
+  for (const Lighting& lighting : {scene.lighting, lamp}) {
+    SCOPED_TRACE(lighting.directional.size());
+    scene.lighting = lighting;
+    RenderOptions options = mirror();
+    const auto images = render(scene, options, {Aov::Radiance, Aov::Position, Aov::Exitance});
+    options.specular = false;
+    const Image plain = render(options, {Aov::Radiance})[0];
+    int seen = 0;
+    forEachCovered(images[1], [&](std::size_t i) {
+      const Vector place = toVector(&images[1].rgba[i]);
+      const Vector toCamera = unit(toVector(scene.camera.positionMm) - place);
+      if (mirrorsSky(place, toCamera).value_or(true)) return;
+      ++seen;
+      const auto own = static_cast<double>(images[2].rgba[i]) / std::numbers::pi;
+      EXPECT_NEAR(static_cast<double>(images[0].rgba[i] - plain.rgba[i]),
+                  fresnel(toCamera[1]) * own, 0.004);
+    });
+    EXPECT_GT(seen, 200);
+  }
 }
 
 }  // namespace
