@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <variant>
@@ -16,6 +17,14 @@ constexpr std::array<const char*, 4> shapes{"rectangle", "disc", "sphere", "tube
 std::array<std::size_t, names.size()> countsOf(const Lighting& lighting) {
   return {lighting.directional.size(), lighting.points.size(), lighting.spots.size(),
           lighting.areas.size()};
+}
+
+// How many area lights up to this one have its shape.
+std::size_t numberInShape(const std::vector<AreaLight>& areas, std::size_t index) {
+  const auto first = areas.begin();
+  return static_cast<std::size_t>(
+      std::count_if(first, first + static_cast<std::ptrdiff_t>(index + 1),
+                    [&](const AreaLight& light) { return light.index() == areas[index].index(); }));
 }
 
 template <typename Light>
@@ -50,10 +59,10 @@ std::string nameOf(LightKind kind) {
 }
 
 std::string nameOf(const Lighting& lighting, const LightEntry& entry) {
-  const std::string kind = entry.kind == LightKind::Area
-                               ? shapes[lighting.areas[entry.index].index()]
-                               : nameOf(entry.kind);
-  return fmt::format("{} {}", kind, entry.index + 1);
+  if (entry.kind != LightKind::Area)
+    return fmt::format("{} {}", nameOf(entry.kind), entry.index + 1);
+  return fmt::format("{} {}", shapes[lighting.areas[entry.index].index()],
+                     numberInShape(lighting.areas, entry.index));
 }
 
 Rgb powerOf(const Lighting& lighting, const LightEntry& entry) {

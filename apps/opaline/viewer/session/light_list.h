@@ -26,7 +26,7 @@ std::size_t numberOfLast(LightKind kind, const Lighting& lighting);
 
 /// A name such as "spot".
 std::string nameOf(LightKind kind);
-/// A name such as "spot 1" or "disc 2".
+/// A name such as "spot 1" or "disc 2", the second disc of the list.
 std::string nameOf(const Lighting& lighting, const LightEntry& entry);
 
 /// The value that gives the light its colour.
