@@ -67,7 +67,7 @@ THIRD_PARTY = {
     "embree3": ("reference", "tests", "bench"),
     "tbb": ("reference", "tests", "bench"),
     "GLFW": ("apps/opaline/viewer", "tests/app/viewer"),
-    "imgui.h": ("apps/opaline/viewer",),
+    "imgui.h": ("apps/opaline/viewer", "tests/app/viewer"),
     "imgui": ("apps/opaline/viewer",),
     "fontconfig": ("apps/opaline/viewer",),
     "CLI": ("apps",),

@@ -148,10 +148,16 @@ std::optional<LightHandle> LightHandles::at(const Session& session, const Projec
 }
 
 void LightHandles::grab(const Session& session, const Projection& projection,
-                        const LightHandle& handle) {
+                        const LightHandle& handle, const glm::vec2& pixel) {
   grabbed_ = handle;
-  const glm::vec3 offset = handle.placeMm - toGlm(session.scene.camera.targetMm);
-  inFront_ = glm::dot(offset, projection.view().ahead) <= 0;
+  const LightEntry entry = entryOf(session.scene.lighting, static_cast<std::size_t>(handle.light));
+  const glm::vec3& ahead = projection.view().ahead;
+  const float depth = glm::dot(handle.placeMm - toGlm(session.scene.camera.targetMm), ahead);
+  inFront_ = depth <= 0;
+  // A place on the sphere is dragged in the plane through the sphere's middle.
+  const bool onSphere = entry.kind == LightKind::Directional;
+  const glm::vec3 dragged = handle.placeMm - (onSphere ? depth : 0) * ahead;
+  offset_ = projection.toWindow(dragged).value_or(pixel) - pixel;
 }
 
 bool LightHandles::drag(Session& session, const Projection& projection,
@@ -163,7 +169,7 @@ bool LightHandles::drag(Session& session, const Projection& projection,
   const glm::vec3 target = toGlm(session.scene.camera.targetMm);
   const glm::vec3 about = entry.kind == LightKind::Directional ? target : grabbed_->placeMm;
   // The place of the mouse in the plane through the handle, parallel to the picture.
-  const Ray ray = projection.through(pixel);
+  const Ray ray = projection.through(pixel + offset_);
   const float along = glm::dot(ray.direction, view.ahead);
   const float depth = glm::dot(about - ray.origin, view.ahead);
   if (!(along > 0) || !(depth > 0)) return false;

@@ -33,8 +33,10 @@ class LightHandles {
   std::optional<LightHandle> at(const Session& session, const Projection& projection,
                                 const glm::vec2& pixel) const;
 
-  void grab(const Session& session, const Projection& projection, const LightHandle& handle);
-  /// Moves the grabbed light. True if it moved.
+  /// Takes hold of a handle at that pixel, which may be beside the handle's middle.
+  void grab(const Session& session, const Projection& projection, const LightHandle& handle,
+            const glm::vec2& pixel);
+  /// Moves the grabbed light as far as the mouse has moved since. True if it moved.
   bool drag(Session& session, const Projection& projection, const glm::vec2& pixel) const;
   void release() { grabbed_.reset(); }
 
@@ -42,6 +44,7 @@ class LightHandles {
 
  private:
   std::optional<LightHandle> grabbed_;
+  glm::vec2 offset_{};   // from the mouse to where it drags, pixels
   bool inFront_ = true;  // whether it was in front of the target when grabbed
 };
 

@@ -48,7 +48,7 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
   }
   if (session.gizmos && showsScene(session)) {
     if (const auto handle = handles_.at(session, projection, mouse)) {
-      handles_.grab(session, projection, *handle);
+      handles_.grab(session, projection, *handle, mouse);
       session.light = handle->light;
       return Drag::Light;
     }
