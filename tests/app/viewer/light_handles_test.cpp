@@ -67,5 +67,25 @@ TEST_F(LightHandlesTest, ALightFromAfarStaysWhereItIsWhenGrabbedBesideItsHandle)
   EXPECT_NEAR(direction[2], 0.8, 1e-3);
 }
 
+TEST_F(LightHandlesTest, OfHandlesUponEachOtherTheSelectedLightsIsGrabbed) {
+  session.scene.lighting.points = {
+      {{10, 20, 0}, {1, 1, 1}}, {{10, 20, 0}, {1, 1, 1}}, {{10.5F, 20, 0}, {1, 1, 1}}};
+  for (session.light = 0; session.light < 3; ++session.light) {
+    for (const glm::vec2 pixel : {glm::vec2(120, 60), glm::vec2(121, 60)}) {
+      const auto handle = at(pixel);
+      ASSERT_TRUE(handle);
+      EXPECT_EQ(handle->light, session.light);
+    }
+  }
+}
+
+TEST_F(LightHandlesTest, OfHandlesBesideEachOtherTheNearestIsGrabbed) {
+  session.scene.lighting.points = {{{10, 20, 0}, {1, 1, 1}}, {{15, 20, 0}, {1, 1, 1}}};
+  session.light = 0;  // at the pixel (120, 60), and the other one at (130, 60)
+  EXPECT_EQ(at({122, 60})->light, 0);
+  EXPECT_EQ(at({129, 60})->light, 1);
+  EXPECT_FALSE(at({120, 80}));
+}
+
 }  // namespace
 }  // namespace opaline::app::viewer

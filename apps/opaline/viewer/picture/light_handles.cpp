@@ -13,6 +13,8 @@ namespace opaline::app::viewer {
 namespace {
 
 constexpr float reachPixels = 14;
+// Handles that are as near to each other as that cover each other.
+constexpr float tiePixels = 3;
 
 // The sphere is large enough that handles stand beside the body, and small enough that they are in
 // the picture.
@@ -50,21 +52,29 @@ glm::vec3 aimOf(const Session& session, const SpotLight& light) {
   return from + std::max(along, 0.3F * session.diagonalMm) * axis;
 }
 
-std::vector<LightHandle> handlesOf(const Session& session, const Projection& projection) {
+void addHandles(const Session& session, const Projection& projection, std::size_t number,
+                std::vector<LightHandle>& handles) {
   const Lighting& lighting = session.scene.lighting;
+  const LightEntry entry = entryOf(lighting, number);
+  const auto light = static_cast<int>(number);
+  handles.push_back({light, LightPart::Place, placeOf(session, projection, entry)});
+  if (light != session.light) return;
+  if (entry.kind == LightKind::Spot)
+    handles.push_back({light, LightPart::Aim, aimOf(session, lighting.spots[entry.index])});
+  if (entry.kind != LightKind::Area) return;
+  const float reach = 0.2F * session.diagonalMm;
+  for (const AreaGrip& grip : gripsOf(lighting.areas[entry.index], projection.view().right, reach))
+    handles.push_back({light, LightPart::Grip, grip.placeMm, grip.kind});
+}
+
+// Those of the selected light come last, so that they are drawn over all others.
+std::vector<LightHandle> handlesOf(const Session& session, const Projection& projection) {
+  const std::size_t count = countOf(session.scene.lighting);
   std::vector<LightHandle> handles;
-  for (std::size_t i = 0; i < countOf(lighting); ++i) {
-    const LightEntry entry = entryOf(lighting, i);
-    const auto light = static_cast<int>(i);
-    handles.push_back({light, LightPart::Place, placeOf(session, projection, entry)});
-    if (entry.kind == LightKind::Spot && light == session.light)
-      handles.push_back({light, LightPart::Aim, aimOf(session, lighting.spots[entry.index])});
-    if (entry.kind != LightKind::Area || light != session.light) continue;
-    const float reach = 0.2F * session.diagonalMm;
-    for (const AreaGrip& grip :
-         gripsOf(lighting.areas[entry.index], projection.view().right, reach))
-      handles.push_back({light, LightPart::Grip, grip.placeMm, grip.kind});
-  }
+  const auto selected = static_cast<std::size_t>(session.light);
+  for (std::size_t i = 0; i < count; ++i)
+    if (i != selected) addHandles(session, projection, i, handles);
+  if (selected < count) addHandles(session, projection, selected, handles);
   return handles;
 }
 
@@ -135,13 +145,15 @@ std::optional<glm::vec3> endOfLine(const Session& session, const LightHandle& ha
 std::optional<LightHandle> LightHandles::at(const Session& session, const Projection& projection,
                                             const glm::vec2& pixel) const {
   std::optional<LightHandle> nearest;
-  float least = reachPixels * ImGui::GetIO().DisplayFramebufferScale.x;
+  const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
+  float least = reachPixels * scale;
   for (const LightHandle& handle : handlesOf(session, projection)) {
     const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
     const float distance = glm::length(*place - pixel);
-    if (distance > least) continue;
-    least = distance;
+    const float lead = handle.light == session.light ? tiePixels * scale : 0;
+    if (distance > reachPixels * scale || distance - lead > least) continue;
+    least = distance - lead;
     nearest = handle;
   }
   return nearest;

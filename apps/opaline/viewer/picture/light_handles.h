@@ -29,7 +29,8 @@ struct LightHandle {
 /// environment are marked on the sphere and turn with the environment.
 class LightHandles {
  public:
-  /// The handle at that pixel; none where there is none.
+  /// The handle at that pixel; none where there is none. Of handles that lie upon each other, it is
+  /// the selected light's.
   std::optional<LightHandle> at(const Session& session, const Projection& projection,
                                 const glm::vec2& pixel) const;
 
