@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace opaline::app::viewer {
@@ -85,6 +86,40 @@ TEST_F(LightHandlesTest, OfHandlesBesideEachOtherTheNearestIsGrabbed) {
   EXPECT_EQ(at({122, 60})->light, 0);
   EXPECT_EQ(at({129, 60})->light, 1);
   EXPECT_FALSE(at({120, 80}));
+}
+
+// The spot is 20 mm to the left of the target and shines to the right, so that the ring is on the
+// target, at the pixel (100, 100).
+TEST_F(LightHandlesTest, TheRingOfASpotStaysUnderTheMouse) {
+  session.scene.lighting.spots = {{{-20, 0, 0}, {1, 0, 0}, {1, 1, 1}, 20, 30}};
+  session.light = 0;
+  grab({103, 98});
+  ASSERT_TRUE(drag({123, 38}));
+  const auto ring = at({120, 40});
+  ASSERT_TRUE(ring);
+  EXPECT_EQ(ring->part, LightPart::Aim);
+  const auto place = projection().toWindow(ring->placeMm);
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(place->x, 120, nearPixels);
+  EXPECT_NEAR(place->y, 40, nearPixels);
+  // The ring is at (10, 30, 0), so the light shines along (30, 30, 0).
+  const Vec3& direction = session.scene.lighting.spots[0].direction;
+  EXPECT_NEAR(direction[0], std::sqrt(0.5), 1e-4);
+  EXPECT_NEAR(direction[1], std::sqrt(0.5), 1e-4);
+  EXPECT_NEAR(direction[2], 0, 1e-4);
+}
+
+TEST_F(LightHandlesTest, TheRingOnADiscsNormalStaysUnderTheMouse) {
+  session.scene.lighting.areas = {DiscLight{{0, 0, 0}, {1, 0, 0}, 1, {1, 1, 1}}};
+  session.light = 0;
+  grab({108, 100});  // a fifth of the diagonal from the middle
+  ASSERT_TRUE(drag({108, 40}));
+  const auto ring = at({108, 40});
+  ASSERT_TRUE(ring);
+  EXPECT_EQ(ring->part, LightPart::Grip);
+  EXPECT_EQ(ring->grip, AreaGrip::Kind::Normal);
+  handles.release();
+  EXPECT_FALSE(at({108, 40})) << "it is back on the normal's end";
 }
 
 }  // namespace

@@ -140,14 +140,33 @@ std::optional<glm::vec3> endOfLine(const Session& session, const LightHandle& ha
   return std::nullopt;
 }
 
+// A handle that only turns its light is anywhere on the light's axis.
+bool turns(const LightHandle& handle) {
+  return handle.part == LightPart::Aim ||
+         (handle.part == LightPart::Grip && handle.grip == AreaGrip::Kind::Normal);
+}
+
+bool isSame(const LightHandle& a, const LightHandle& b) {
+  return a.light == b.light && a.part == b.part && a.grip == b.grip;
+}
+
 }  // namespace
+
+std::vector<LightHandle> LightHandles::shown(const Session& session,
+                                             const Projection& projection) const {
+  std::vector<LightHandle> handles = handlesOf(session, projection);
+  if (!grabbed_ || !turns(*grabbed_)) return handles;
+  for (LightHandle& handle : handles)
+    if (isSame(handle, *grabbed_)) handle.placeMm = grabbed_->placeMm;
+  return handles;
+}
 
 std::optional<LightHandle> LightHandles::at(const Session& session, const Projection& projection,
                                             const glm::vec2& pixel) const {
   std::optional<LightHandle> nearest;
   const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
   float least = reachPixels * scale;
-  for (const LightHandle& handle : handlesOf(session, projection)) {
+  for (const LightHandle& handle : shown(session, projection)) {
     const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
     const float distance = glm::length(*place - pixel);
@@ -172,8 +191,7 @@ void LightHandles::grab(const Session& session, const Projection& projection,
   offset_ = projection.toWindow(dragged).value_or(pixel) - pixel;
 }
 
-bool LightHandles::drag(Session& session, const Projection& projection,
-                        const glm::vec2& pixel) const {
+bool LightHandles::drag(Session& session, const Projection& projection, const glm::vec2& pixel) {
   Lighting& lighting = session.scene.lighting;
   if (!grabbed_ || static_cast<std::size_t>(grabbed_->light) >= countOf(lighting)) return false;
   const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(grabbed_->light));
@@ -186,6 +204,7 @@ bool LightHandles::drag(Session& session, const Projection& projection,
   const float depth = glm::dot(about - ray.origin, view.ahead);
   if (!(along > 0) || !(depth > 0)) return false;
   const glm::vec3 place = ray.origin + depth / along * ray.direction;
+  if (turns(*grabbed_)) grabbed_->placeMm = place;
   switch (entry.kind) {
     case LightKind::Directional:
       lighting.directional[entry.index].directionToLight =
@@ -220,7 +239,7 @@ void LightHandles::draw(const Session& session, const Projection& projection,
                         ImDrawList& list) const {
   const Lighting& lighting = session.scene.lighting;
   for (const DirectionalLight& sun : session.suns) drawSun(sun, session, projection, list);
-  for (const LightHandle& handle : handlesOf(session, projection)) {
+  for (const LightHandle& handle : shown(session, projection)) {
     const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
     const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(handle.light));

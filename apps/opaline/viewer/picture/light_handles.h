@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
 #include "viewer/picture/projection.h"
 #include "viewer/session/area_lights.h"
@@ -38,12 +39,15 @@ class LightHandles {
   void grab(const Session& session, const Projection& projection, const LightHandle& handle,
             const glm::vec2& pixel);
   /// Moves the grabbed light as far as the mouse has moved since. True if it moved.
-  bool drag(Session& session, const Projection& projection, const glm::vec2& pixel) const;
+  bool drag(Session& session, const Projection& projection, const glm::vec2& pixel);
   void release() { grabbed_.reset(); }
 
   void draw(const Session& session, const Projection& projection, ImDrawList& list) const;
 
  private:
+  /// All handles. One that turns a light stays under the mouse while it is dragged.
+  std::vector<LightHandle> shown(const Session& session, const Projection& projection) const;
+
   std::optional<LightHandle> grabbed_;
   glm::vec2 offset_{};   // from the mouse to where it drags, pixels
   bool inFront_ = true;  // whether it was in front of the target when grabbed
