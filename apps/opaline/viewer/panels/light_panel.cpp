@@ -1,19 +1,16 @@
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "opaline/environment.h"
 #include "opaline/scene_file.h"
 #include "viewer/panels/controls.h"
+#include "viewer/panels/light_sliders.h"
 #include "viewer/panels/panels.h"
 #include "viewer/session/light_list.h"
 
@@ -21,148 +18,11 @@ namespace opaline::app::viewer {
 
 namespace {
 
-constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
-constexpr float leastConeDegrees = 1;
-
 // Whether the renderer accepts the scene with one more light of this kind.
 template <typename Light>
 bool hasRoomFor(const Light& light, Lighting lighting, std::vector<Light> Lighting::*lights) {
   (lighting.*lights).push_back(light);
   return complaintAbout(lighting).empty();
-}
-
-// A direction as an angle about the vertical, from +z towards +x, and a height above the horizon.
-bool drawDirection(Vec3& direction) {
-  float turn = std::atan2(direction[0], direction[2]) * toDegrees;
-  float height = std::asin(std::clamp(direction[1], -1.0F, 1.0F)) * toDegrees;
-  const bool turned = controls::slider("turn", turn, -180, 180, "%.1f deg",
-                                       "Where it shines from: 0 is from the front of the scene.");
-  const bool raised = controls::slider("height", height, -89.9F, 89.9F, "%.1f deg",
-                                       "Where it shines from: 90 is from above.");
-  if (!turned && !raised) return false;
-  const float c = std::cos(height / toDegrees);
-  direction = {c * std::sin(turn / toDegrees), std::sin(height / toDegrees),
-               c * std::cos(turn / toDegrees)};
-  return true;
-}
-
-bool drawDirectional(DirectionalLight& light) {
-  bool changed = drawDirection(light.directionToLight);
-  changed |= controls::slider("radius", light.angularRadiusDegrees, 0, 10, "%.2f deg",
-                              "Of the disc that surfaces mirror. The sun's is 0.27.");
-  return controls::light("irradiance", light.irradiance,
-                         "Light on a surface that faces the source; pi on white paper looks white "
-                         "at exposure 0.") ||
-         changed;
-}
-
-bool drawPlace(Vec3& positionMm, float diagonalMm) {
-  bool changed = false;
-  constexpr std::array<const char*, 3> axes{"x", "y", "z"};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float reach = 3 * diagonalMm;
-    changed |=
-        controls::length(axes[axis], positionMm[axis], -reach, reach, "Its place in the scene.");
-  }
-  return changed;
-}
-
-bool drawIntensity(Rgb& intensity) {
-  return controls::light("intensity", intensity,
-                         "Irradiance on a facing surface is this over the distance squared, in mm: "
-                         "a more distant light needs much more.");
-}
-
-bool drawPoint(PointLight& light, float diagonalMm) {
-  const bool moved = drawPlace(light.positionMm, diagonalMm);
-  return drawIntensity(light.intensity) || moved;
-}
-
-bool drawSpot(SpotLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.positionMm, diagonalMm);
-  Vec3 from = light.direction;
-  for (float& component : from) component = -component;
-  if (drawDirection(from)) {
-    for (std::size_t axis = 0; axis < 3; ++axis) light.direction[axis] = -from[axis];
-    changed = true;
-  }
-  if (controls::slider("inner angle", light.innerDegrees, 0, 90, "%.1f deg",
-                       "From the axis, up to where it is as bright as there.")) {
-    light.outerDegrees = std::max({light.outerDegrees, light.innerDegrees, leastConeDegrees});
-    changed = true;
-  }
-  if (controls::slider("outer angle", light.outerDegrees, leastConeDegrees, 90, "%.1f deg",
-                       "From the axis, where it ends.")) {
-    light.innerDegrees = std::min(light.innerDegrees, light.outerDegrees);
-    changed = true;
-  }
-  return drawIntensity(light.intensity) || changed;
-}
-
-bool drawRadius(float& radiusMm, float diagonalMm) {
-  return controls::length("radius", radiusMm, 1e-3F * diagonalMm, diagonalMm,
-                          "A larger light has softer shadows.");
-}
-
-bool drawRadiance(Rgb& radiance) {
-  return controls::light("radiance", radiance,
-                         "How bright the light itself looks: a larger one gives more light.");
-}
-
-bool drawTwoSided(bool& on) {
-  return controls::checkbox("both sides", on, "Shines to its back too.");
-}
-
-bool drawVisible(bool& on) {
-  return controls::checkbox("visible", on, "Seen in the picture itself, not only in reflections.");
-}
-
-// A rectangle's edges and its rotation are dragged in the picture.
-bool drawShape(RectangleLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
-  float size = 1;
-  if (controls::slider("scale", size, 0.9F, 1.1F, "x %.2f", "Both edges of it.")) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      light.uMm[axis] *= size;
-      light.vMm[axis] *= size;
-    }
-    changed = true;
-  }
-  changed |= drawRadiance(light.radiance);
-  changed |= drawTwoSided(light.twoSided);
-  return drawVisible(light.visible) || changed;
-}
-
-bool drawShape(DiscLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
-  changed |= drawDirection(light.normal);
-  changed |= drawRadius(light.radiusMm, diagonalMm);
-  changed |= drawRadiance(light.radiance);
-  changed |= drawTwoSided(light.twoSided);
-  return drawVisible(light.visible) || changed;
-}
-
-bool drawShape(SphereLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
-  changed |= drawRadius(light.radiusMm, diagonalMm);
-  changed |= drawRadiance(light.radiance);
-  return drawVisible(light.visible) || changed;
-}
-
-bool drawShape(TubeLight& light, float diagonalMm) {
-  bool changed = drawRadius(light.radiusMm, diagonalMm);
-  changed |= drawRadiance(light.radiance);
-  return drawVisible(light.visible) || changed;
-}
-
-// Draws an area light. An edit that makes an impossible light is dropped.
-bool drawArea(AreaLight& light, float diagonalMm) {
-  AreaLight edited = light;
-  const bool changed =
-      std::visit([&](auto& shape) { return drawShape(shape, diagonalMm); }, edited);
-  if (!changed || !complaintAbout(edited).empty()) return false;
-  light = edited;
-  return true;
 }
 
 void drawList(const Lighting& lighting, int& chosen) {
@@ -247,24 +107,10 @@ bool turnEnvironment(Session& session) {
   return true;
 }
 
-bool drawEntry(const LightEntry& entry, Lighting& lighting, float diagonalMm) {
-  switch (entry.kind) {
-    case LightKind::Directional:
-      return drawDirectional(lighting.directional[entry.index]);
-    case LightKind::Point:
-      return drawPoint(lighting.points[entry.index], diagonalMm);
-    case LightKind::Spot:
-      return drawSpot(lighting.spots[entry.index], diagonalMm);
-    case LightKind::Area:
-      break;
-  }
-  return drawArea(lighting.areas[entry.index], diagonalMm);
-}
-
 bool drawChosen(Session& session) {
   Lighting& lighting = session.scene.lighting;
   const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(session.light));
-  bool changed = drawEntry(entry, lighting, session.diagonalMm);
+  bool changed = drawSliders(entry, session);
   if (controls::button("delete", "Removes the selected light.")) {
     erase(entry, lighting);
     session.light = -1;
