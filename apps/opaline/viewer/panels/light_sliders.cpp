@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <variant>
 
 #include "viewer/panels/controls.h"
+#include "viewer/picture/vectors.h"
+#include "viewer/session/area_lights.h"
 
 namespace opaline::app::viewer {
 
@@ -15,24 +18,45 @@ namespace {
 
 constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
 constexpr float leastConeDegrees = 1;
+// Straight above, a light could not be turned about the vertical.
+constexpr float mostHeightDegrees = 89.9F;
 
-// A direction as an angle about the vertical, from +z towards +x, and a height above the horizon.
-bool drawDirection(Vec3& direction) {
-  float turn = std::atan2(direction[0], direction[2]) * toDegrees;
-  float height = std::asin(std::clamp(direction[1], -1.0F, 1.0F)) * toDegrees;
+// The direction to a light, as an angle about the vertical, from +z towards +x, and a height above
+// the horizon.
+bool drawDirectionToLight(glm::vec3& direction) {
+  float turn = std::atan2(direction.x, direction.z) * toDegrees;
+  float height = std::asin(std::clamp(direction.y, -1.0F, 1.0F)) * toDegrees;
   const bool turned = controls::slider("turn", turn, -180, 180, "%.1f deg",
                                        "Where it shines from: 0 is from the front of the scene.");
-  const bool raised = controls::slider("height", height, -89.9F, 89.9F, "%.1f deg",
-                                       "Where it shines from: 90 is from above.");
+  const bool raised = controls::slider("height", height, -mostHeightDegrees, mostHeightDegrees,
+                                       "%.1f deg", "Where it shines from: 90 is from above.");
   if (!turned && !raised) return false;
+  height = std::clamp(height, -mostHeightDegrees, mostHeightDegrees);
   const float c = std::cos(height / toDegrees);
   direction = {c * std::sin(turn / toDegrees), std::sin(height / toDegrees),
                c * std::cos(turn / toDegrees)};
   return true;
 }
 
+// The same for a light of which is known along which direction it shines.
+bool drawDirectionOfLight(glm::vec3& direction) {
+  glm::vec3 towards = -direction;
+  const bool changed = drawDirectionToLight(towards);
+  if (changed) direction = -towards;
+  return changed;
+}
+
+bool drawDirectionOfLight(Vec3& direction) {
+  glm::vec3 turned = toGlm(direction);
+  const bool changed = drawDirectionOfLight(turned);
+  if (changed) direction = fromGlm(turned);
+  return changed;
+}
+
 bool drawDirectional(DirectionalLight& light) {
-  bool changed = drawDirection(light.directionToLight);
+  glm::vec3 direction = toGlm(light.directionToLight);
+  bool changed = drawDirectionToLight(direction);
+  if (changed) light.directionToLight = fromGlm(direction);
   changed |= controls::slider("radius", light.angularRadiusDegrees, 0, 10, "%.2f deg",
                               "Of the disc that surfaces mirror. The sun's is 0.27.");
   return controls::light("irradiance", light.irradiance,
@@ -65,12 +89,7 @@ bool drawPoint(PointLight& light, float diagonalMm) {
 
 bool drawSpot(SpotLight& light, float diagonalMm) {
   bool changed = drawPlace(light.positionMm, diagonalMm);
-  Vec3 from = light.direction;
-  for (float& component : from) component = -component;
-  if (drawDirection(from)) {
-    for (std::size_t axis = 0; axis < 3; ++axis) light.direction[axis] = -from[axis];
-    changed = true;
-  }
+  changed |= drawDirectionOfLight(light.direction);
   if (controls::slider("inner angle", light.innerDegrees, 0, 90, "%.1f deg",
                        "From the axis, up to where it is as bright as there.")) {
     light.outerDegrees = std::max({light.outerDegrees, light.innerDegrees, leastConeDegrees});
@@ -105,6 +124,11 @@ bool drawVisible(bool& on) {
 // A rectangle's edges and its rotation are dragged in the picture.
 bool drawShape(RectangleLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
+  glm::vec3 normal = normalOf(light);
+  if (drawDirectionOfLight(normal)) {
+    turnTo(normal, light);
+    changed = true;
+  }
   float size = 1;
   if (controls::slider("scale", size, 0.9F, 1.1F, "x %.2f", "Both edges of it.")) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -120,7 +144,7 @@ bool drawShape(RectangleLight& light, float diagonalMm) {
 
 bool drawShape(DiscLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
-  changed |= drawDirection(light.normal);
+  changed |= drawDirectionOfLight(light.normal);
   changed |= drawRadius(light.radiusMm, diagonalMm);
   changed |= drawRadiance(light.radiance);
   changed |= drawTwoSided(light.twoSided);

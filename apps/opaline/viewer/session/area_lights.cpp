@@ -1,6 +1,8 @@
 #include "viewer/session/area_lights.h"
 
 #include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 #include <variant>
 
@@ -24,16 +26,19 @@ Axes across(const glm::vec3& normal) {
   return {u, glm::cross(normal, u)};
 }
 
-glm::vec3 normalOf(const RectangleLight& light) {
-  return glm::normalize(glm::cross(toGlm(light.uMm), toGlm(light.vMm)));
-}
-
 // Rotates `v` by the rotation that takes one unit direction to another.
 glm::vec3 turned(const glm::vec3& v, const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 axis = glm::cross(from, to);
   const float cosine = glm::dot(from, to);
   if (cosine < -0.9999F) return -v;
   return v + glm::cross(axis, v) + glm::cross(axis, glm::cross(axis, v)) / (1 + cosine);
+}
+
+// The axes of a surface with that unit normal that stands upright, with a level lower edge.
+glm::mat3 uprightAxes(const glm::vec3& normal) {
+  const float turn = std::atan2(normal.x, normal.z);
+  const glm::vec3 level(std::cos(turn), 0, -std::sin(turn));
+  return {level, glm::cross(normal, level), normal};
 }
 
 std::vector<AreaGrip> grips(const RectangleLight& light, const glm::vec3& /*across*/,
@@ -122,6 +127,18 @@ std::vector<glm::vec3> outline(const TubeLight& light, const glm::vec3& ahead) {
 }
 
 }  // namespace
+
+glm::vec3 normalOf(const RectangleLight& light) {
+  return glm::normalize(glm::cross(toGlm(light.uMm), toGlm(light.vMm)));
+}
+
+void turnTo(const glm::vec3& normal, RectangleLight& light) {
+  // A rotation's inverse is its transpose.
+  const glm::mat3 before = glm::transpose(uprightAxes(normalOf(light)));
+  const glm::mat3 after = uprightAxes(normal);
+  light.uMm = fromGlm(after * (before * toGlm(light.uMm)));
+  light.vMm = fromGlm(after * (before * toGlm(light.vMm)));
+}
 
 glm::vec3 middleOfArea(const AreaLight& light) {
   if (const auto* tube = std::get_if<TubeLight>(&light))

@@ -13,6 +13,12 @@ namespace opaline::app::viewer {
 glm::vec3 middleOfArea(const AreaLight& light);
 void moveArea(const glm::vec3& middleMm, AreaLight& light);
 
+/// The unit direction along which it shines.
+glm::vec3 normalOf(const RectangleLight& light);
+/// Turns it to a unit normal, about the vertical and about the level line in it. So it is again
+/// what it was when its normal is.
+void turnTo(const glm::vec3& normal, RectangleLight& light);
+
 /// A handle that drags an area light's edge, or turns the light.
 struct AreaGrip {
   enum class Kind { U, V, Radius, From, To, Normal };
