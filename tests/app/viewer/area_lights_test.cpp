@@ -40,5 +40,15 @@ TEST(AreaLights, ARectangleThatIsTurnedBackIsWhatItWas) {
   expectNear(light.vMm, before.vMm);
 }
 
+// u and v are half of the edges.
+TEST(AreaLights, ARectanglesEdgesAreAsLongAsSaidAndKeepTheirDirections) {
+  RectangleLight light{{}, {3, 4, 0}, {0, 0, 6}, {1, 1, 1}};
+  EXPECT_FLOAT_EQ(edgesMm(light).x, 10);
+  EXPECT_FLOAT_EQ(edgesMm(light).y, 12);
+  for (int frame = 0; frame < 3; ++frame) setEdges({20, 4}, light);  // held over some frames
+  expectNear(light.uMm, {6, 8, 0});
+  expectNear(light.vMm, {0, 0, 2});
+}
+
 }  // namespace
 }  // namespace opaline::app::viewer

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <variant>
@@ -121,7 +122,17 @@ bool drawVisible(bool& on) {
   return controls::checkbox("visible", on, "Seen in the picture itself, not only in reflections.");
 }
 
-// A rectangle's edges and its rotation are dragged in the picture.
+bool drawEdges(RectangleLight& light, float diagonalMm) {
+  glm::vec2 edges = edgesMm(light);
+  const auto draw = [&](const char* name, float& edge, const char* about) {
+    return controls::length(name, edge, 1e-3F * diagonalMm, 2 * diagonalMm, about);
+  };
+  bool changed = draw("width", edges.x, "Length of its edges along u.");
+  changed |= draw("length", edges.y, "Length of its edges along v.");
+  if (changed) setEdges(edges, light);
+  return changed;
+}
+
 bool drawShape(RectangleLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
   glm::vec3 normal = normalOf(light);
@@ -129,14 +140,7 @@ bool drawShape(RectangleLight& light, float diagonalMm) {
     turnTo(normal, light);
     changed = true;
   }
-  float size = 1;
-  if (controls::slider("scale", size, 0.9F, 1.1F, "x %.2f", "Both edges of it.")) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      light.uMm[axis] *= size;
-      light.vMm[axis] *= size;
-    }
-    changed = true;
-  }
+  changed |= drawEdges(light, diagonalMm);
   changed |= drawRadiance(light.radiance);
   changed |= drawTwoSided(light.twoSided);
   return drawVisible(light.visible) || changed;

@@ -140,6 +140,15 @@ void turnTo(const glm::vec3& normal, RectangleLight& light) {
   light.vMm = fromGlm(after * (before * toGlm(light.vMm)));
 }
 
+glm::vec2 edgesMm(const RectangleLight& light) {
+  return {2 * glm::length(toGlm(light.uMm)), 2 * glm::length(toGlm(light.vMm))};
+}
+
+void setEdges(const glm::vec2& mm, RectangleLight& light) {
+  light.uMm = fromGlm(0.5F * mm.x * glm::normalize(toGlm(light.uMm)));
+  light.vMm = fromGlm(0.5F * mm.y * glm::normalize(toGlm(light.vMm)));
+}
+
 glm::vec3 middleOfArea(const AreaLight& light) {
   if (const auto* tube = std::get_if<TubeLight>(&light))
     return 0.5F * (toGlm(tube->fromMm) + toGlm(tube->toMm));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,11 @@ glm::vec3 normalOf(const RectangleLight& light);
 /// Turns it to a unit normal, about the vertical and about the level line in it. So it is again
 /// what it was when its normal is.
 void turnTo(const glm::vec3& normal, RectangleLight& light);
+
+/// The lengths of its edges along u and v, mm.
+glm::vec2 edgesMm(const RectangleLight& light);
+/// Gives its edges other lengths and keeps their directions.
+void setEdges(const glm::vec2& mm, RectangleLight& light);
 
 /// A handle that drags an area light's edge, or turns the light.
 struct AreaGrip {
