@@ -119,6 +119,17 @@ bool drawChosen(Session& session) {
   return changed;
 }
 
+bool drawHeight(float& groundMm, const Session& session) {
+  float height = placeInFile({0, groundMm, 0}, session)[1];
+  const float reach = 3 * session.diagonalMm;
+  const bool changed = controls::length(
+      "height of the ground", height, -reach, reach,
+      "From the middle of the box around all objects at rest, as in scene files. What lies below "
+      "the ground is hidden by it.");
+  if (changed) groundMm = placeInScene({0, height, 0}, session)[1];
+  return changed;
+}
+
 void drawGround(Session& session) {
   std::optional<Ground> ground = describeGround(session.scene);
   bool on = ground.has_value();
@@ -129,9 +140,7 @@ void drawGround(Session& session) {
     changed |= controls::light("color of the ground", ground->color,
                                "Share of light that it gives back, from 0 to 1.");
     for (float& share : ground->color) share = std::min(share, 1.0F);
-    const float reach = 3 * session.diagonalMm;
-    changed |= controls::length("height of the ground", *ground->heightMm, -reach, reach,
-                                "What lies below is hidden by it.");
+    changed |= drawHeight(*ground->heightMm, session);
   }
   if (changed) setGround(ground, session);
 }

@@ -66,15 +66,25 @@ bool drawDirectional(DirectionalLight& light) {
          changed;
 }
 
-bool drawPlace(Vec3& positionMm, float diagonalMm) {
+bool drawPlace(Vec3& positionMm, const Session& session) {
+  Vec3 place = placeInFile(positionMm, session);
   bool changed = false;
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+  const float reach = 3 * session.diagonalMm;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float reach = 3 * diagonalMm;
-    changed |=
-        controls::length(axes[axis], positionMm[axis], -reach, reach, "Its place in the scene.");
+    changed |= controls::length(
+        axes[axis], place[axis], -reach, reach,
+        "Its place, from the middle of the box around all objects at rest, as in scene files.");
   }
+  if (changed) positionMm = placeInScene(place, session);
   return changed;
+}
+
+bool drawMiddle(AreaLight& light, const Session& session) {
+  Vec3 middle = fromGlm(middleOfArea(light));
+  const bool moved = drawPlace(middle, session);
+  if (moved) moveArea(toGlm(middle), light);
+  return moved;
 }
 
 bool drawIntensity(Rgb& intensity) {
@@ -83,13 +93,13 @@ bool drawIntensity(Rgb& intensity) {
                          "a more distant light needs much more.");
 }
 
-bool drawPoint(PointLight& light, float diagonalMm) {
-  const bool moved = drawPlace(light.positionMm, diagonalMm);
+bool drawPoint(PointLight& light, const Session& session) {
+  const bool moved = drawPlace(light.positionMm, session);
   return drawIntensity(light.intensity) || moved;
 }
 
-bool drawSpot(SpotLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.positionMm, diagonalMm);
+bool drawSpot(SpotLight& light, const Session& session) {
+  bool changed = drawPlace(light.positionMm, session);
   changed |= drawDirectionOfLight(light.direction);
   if (controls::slider("inner angle", light.innerDegrees, 0, 90, "%.1f deg",
                        "From the axis, up to where it is as bright as there.")) {
@@ -134,12 +144,9 @@ bool drawEdges(RectangleLight& light, float diagonalMm) {
 }
 
 bool drawShape(RectangleLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
   glm::vec3 normal = normalOf(light);
-  if (drawDirectionOfLight(normal)) {
-    turnTo(normal, light);
-    changed = true;
-  }
+  bool changed = drawDirectionOfLight(normal);
+  if (changed) turnTo(normal, light);
   changed |= drawEdges(light, diagonalMm);
   changed |= drawRadiance(light.radiance);
   changed |= drawTwoSided(light.twoSided);
@@ -147,8 +154,7 @@ bool drawShape(RectangleLight& light, float diagonalMm) {
 }
 
 bool drawShape(DiscLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
-  changed |= drawDirectionOfLight(light.normal);
+  bool changed = drawDirectionOfLight(light.normal);
   changed |= drawRadius(light.radiusMm, diagonalMm);
   changed |= drawRadiance(light.radiance);
   changed |= drawTwoSided(light.twoSided);
@@ -156,8 +162,7 @@ bool drawShape(DiscLight& light, float diagonalMm) {
 }
 
 bool drawShape(SphereLight& light, float diagonalMm) {
-  bool changed = drawPlace(light.centreMm, diagonalMm);
-  changed |= drawRadius(light.radiusMm, diagonalMm);
+  bool changed = drawRadius(light.radiusMm, diagonalMm);
   changed |= drawRadiance(light.radiance);
   return drawVisible(light.visible) || changed;
 }
@@ -169,10 +174,10 @@ bool drawShape(TubeLight& light, float diagonalMm) {
 }
 
 // Draws an area light. An edit that makes an impossible light is dropped.
-bool drawArea(AreaLight& light, float diagonalMm) {
+bool drawArea(AreaLight& light, const Session& session) {
   AreaLight edited = light;
-  const bool changed =
-      std::visit([&](auto& shape) { return drawShape(shape, diagonalMm); }, edited);
+  bool changed = drawMiddle(edited, session);
+  changed |= std::visit([&](auto& shape) { return drawShape(shape, session.diagonalMm); }, edited);
   if (!changed || !complaintAbout(edited).empty()) return false;
   light = edited;
   return true;
@@ -182,18 +187,17 @@ bool drawArea(AreaLight& light, float diagonalMm) {
 
 bool drawSliders(const LightEntry& entry, Session& session) {
   Lighting& lighting = session.scene.lighting;
-  const float diagonalMm = session.diagonalMm;
   switch (entry.kind) {
     case LightKind::Directional:
       return drawDirectional(lighting.directional[entry.index]);
     case LightKind::Point:
-      return drawPoint(lighting.points[entry.index], diagonalMm);
+      return drawPoint(lighting.points[entry.index], session);
     case LightKind::Spot:
-      return drawSpot(lighting.spots[entry.index], diagonalMm);
+      return drawSpot(lighting.spots[entry.index], session);
     case LightKind::Area:
       break;
   }
-  return drawArea(lighting.areas[entry.index], diagonalMm);
+  return drawArea(lighting.areas[entry.index], session);
 }
 
 }  // namespace opaline::app::viewer

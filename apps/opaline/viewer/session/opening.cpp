@@ -49,7 +49,7 @@ Session opened(Loader::Result result, const Prepare& prepare) {
     made.environment = from->rotationDegrees == 0 ? made.scene.lighting.environment
                                                   : readEnvironment({from->file, from->intensity});
   }
-  made.diagonalMm = diagonalMm(made.scene);
+  measure(made.scene, made);
   made.sequence = std::move(loaded.sequence);
   made.playback.lengthSeconds = lengthOfMotion(made);
   made.playback.playing =
@@ -68,7 +68,7 @@ Session resized(const Session& edited, Loader::Result result) {
   made.source.numbersOfObject = edited.source.numbersOfObject;
   made.sequence = std::move(result.loaded->sequence);
   made.positionsMm.clear();
-  made.diagonalMm = diagonalMm(loaded);
+  measure(loaded, made);
   made.report.reset();
 
   Scene& scene = made.scene;

@@ -7,11 +7,25 @@
 #include "film/sequence_frames.h"
 #include "opaline/exposure.h"
 #include "opaline/options/picture.h"
+#include "viewer/picture/vectors.h"
 
 namespace opaline::app::viewer {
 
 bool showsScene(const Session& session) {
   return session.shown == Shown::Picture && session.aov < Aov::DsmPosition;
+}
+
+void measure(const Scene& loaded, Session& session) {
+  session.diagonalMm = diagonalMm(loaded);
+  session.centreMm = middleOf(boundsOf(loaded));
+}
+
+Vec3 placeInFile(const Vec3& placeMm, const Session& session) {
+  return fromGlm(toGlm(placeMm) - toGlm(session.centreMm));
+}
+
+Vec3 placeInScene(const Vec3& placeInFileMm, const Session& session) {
+  return fromGlm(toGlm(placeInFileMm) + toGlm(session.centreMm));
 }
 
 void setGround(const std::optional<Ground>& ground, Session& session) {

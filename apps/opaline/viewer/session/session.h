@@ -78,6 +78,7 @@ struct Session {
   std::shared_ptr<const Image> environment;      ///< as in the source's file, not turned
   std::vector<DirectionalLight> suns;            ///< of the environment as it is shown
   float diagonalMm = 0;                          ///< as loaded
+  Vec3 centreMm{};                               ///< as loaded: of the box around all objects
   std::optional<float> wantedDiagonalMm;         ///< another size, to be loaded
   std::optional<float> draggedDiagonalMm;        ///< another size, while its slider is dragged
   std::vector<std::string> notes;                ///< from loading
@@ -120,6 +121,15 @@ struct Session {
 /// Whether the scene is shown as its camera sees it now, and not the truth of an earlier moment or
 /// a map.
 bool showsScene(const Session& session);
+
+/// Notes diagonal and centre of a scene that was loaded for the session.
+void measure(const Scene& loaded, Session& session);
+
+/// A place as scene files, the command line and the panels give it: relative to the middle of the
+/// box around all objects at rest.
+Vec3 placeInFile(const Vec3& placeMm, const Session& session);
+/// The place in the scene's own coordinates.
+Vec3 placeInScene(const Vec3& placeInFileMm, const Session& session);
 
 /// Replaces the ground of the session's scene, or removes it.
 void setGround(const std::optional<Ground>& ground, Session& session);
