@@ -150,8 +150,9 @@ void drawGround(Session& session) {
 void drawLightPanel(Session& session) {
   if (!controls::section("Light", false)) return;
   Lighting& lighting = session.scene.lighting;
-  drawList(lighting, session.light);
+  // The buttons stay in place while the list below them grows.
   bool changed = drawAdding(session);
+  drawList(lighting, session.light);
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=
       controls::light("ambient", lighting.ambient, "Radiance, the same from all directions.");
