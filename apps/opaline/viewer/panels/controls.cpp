@@ -101,6 +101,12 @@ void text(const std::string& shown) {
   ImGui::TextWrapped("%s", shown.c_str());
 }
 
+void hint(const std::string& shown) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  text(shown);
+  ImGui::PopStyleColor();
+}
+
 void sameLineFor(const char* next) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
@@ -191,11 +197,40 @@ bool typed(const char* name, int& value, int low, int high, const char* about) {
 
 namespace {
 
+// As many digits as the fields for three channels have room for.
+const char* formatOf(float channel) {
+  if (channel >= 1000) return "%.0f";
+  if (channel >= 100) return "%.1f";
+  return channel >= 10 ? "%.2f" : "%.3f";
+}
+
+// Three numbers beside each other. A step of the mouse changes a large number by more.
+bool dragChannels(Rgb& value, float width, float most) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  constexpr std::array<const char*, 3> names{"##red", "##green", "##blue"};
+  bool changed = false;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float speed = std::max(1.0F / 255, 0.005F * value[c]);
+    ImGui::SetNextItemWidth(std::max(1.0F, (width - 3 * gap) / 3));
+    changed |= ImGui::DragFloat(names[c], &value[c], speed, 0, most, formatOf(value[c]),
+                                ImGuiSliderFlags_NoRoundToFormat);
+    ImGui::SameLine(0, gap);
+  }
+  return changed;
+}
+
 bool editColor(const char* name, Rgb& value, ImGuiColorEditFlags flags, float most,
                const char* about) {
   const std::string label = leaveRoomFor(name);
-  flags |= ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions;
-  const bool changed = ImGui::ColorEdit3(label.c_str(), value.data(), flags);
+  // Dear ImGui's own numbers have three decimals, for which strong light leaves no room.
+  flags |= ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoInputs;
+  const float width = ImGui::CalcItemWidth() - ImGui::GetFrameHeight();
+  ImGui::BeginGroup();
+  ImGui::PushID(label.c_str());
+  bool changed = dragChannels(value, width, most);
+  ImGui::PopID();
+  changed |= ImGui::ColorEdit3(label.c_str(), value.data(), flags);
+  ImGui::EndGroup();
   note(name);
   tip(about);
   if (changed) {

@@ -51,6 +51,9 @@ void tip(const char* text);
 /// Text in any script, in lines of any length.
 void text(const std::string& shown);
 
+/// The same, paler: what is good to know beside a control.
+void hint(const std::string& shown);
+
 /// Continues the line if it has room for a button of that name.
 void sameLineFor(const char* next);
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -163,8 +164,8 @@ void drawLightPanel(Session& session) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
     if (const std::size_t suns = session.suns.size(); suns > 0)
-      ImGui::TextDisabled("%zu of its lights cast%s shadows: marked in the picture", suns,
-                          suns == 1 ? "s" : "");
+      controls::hint(fmt::format("{} of its lights cast{} shadows: marked in the picture", suns,
+                                 suns == 1 ? "s" : ""));
     changed |= turnEnvironment(session);
     if (controls::button("take it away", "Removes the environment.")) {
       lighting.environment.reset();
@@ -174,7 +175,7 @@ void drawLightPanel(Session& session) {
     }
   } else {
     ImGui::SameLine();
-    ImGui::TextDisabled("or drop a .hdr or .exr on the window");
+    controls::hint("or drop a .hdr or .exr on the window");
   }
   drawGround(session);
   if (controls::checkbox("handles in the picture", session.gizmos,
