@@ -94,7 +94,7 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
   };
   apart([&] { drawMediumPanel(session); });
   apart([&] { drawMaterialPanel(session); });
-  apart([&] { drawLightPanel(session); });
+  apart([&] { drawLightPanel(session, {session.scene.camera, area_}); });
   apart([&] { drawMethodPanel(session); });
   apart([&] { drawMotionPanel(session); });
   apart([&] { drawTruthPanel(session, truth); });

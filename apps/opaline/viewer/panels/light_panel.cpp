@@ -13,6 +13,7 @@
 #include "viewer/panels/controls.h"
 #include "viewer/panels/light_sliders.h"
 #include "viewer/panels/panels.h"
+#include "viewer/picture/new_lights.h"
 #include "viewer/session/light_list.h"
 
 namespace opaline::app::viewer {
@@ -51,47 +52,27 @@ bool drawAdd(LightKind kind, const char* about, const Light& light,
   return true;
 }
 
-// A place behind the scene and to the side, from which a light is as bright as the default ones.
-Vec3 placeBehind(const Session& session) {
-  const Vec3& target = session.scene.camera.targetMm;
-  const float d = session.diagonalMm;
-  return {target[0] + 0.5F * d, target[1] + 0.4F * d, target[2] - 0.4F * d};
-}
-
-bool drawAdding(Session& session) {
-  const float power = 3 * session.diagonalMm * session.diagonalMm;
-  const Vec3 place = placeBehind(session);
+bool drawAdding(Session& session, const Projection& projection) {
+  const NewLights lights(session, projection);
   bool changed = drawAdd(LightKind::Directional, "A light from infinitely far away.",
-                         DirectionalLight{{0.37F, 0.48F, -0.795F}, {3, 3, 3}},
-                         &Lighting::directional, session);
+                         lights.directional(), &Lighting::directional, session);
   controls::sameLineFor("add point");
-  changed |= drawAdd(LightKind::Point, "A light from one place.",
-                     PointLight{place, {power, power, power}}, &Lighting::points, session);
+  changed |= drawAdd(LightKind::Point, "A light from one place.", lights.point(), &Lighting::points,
+                     session);
   controls::sameLineFor("add spot");
-  changed |= drawAdd(LightKind::Spot, "A light from one place into a cone.",
-                     SpotLight{place, {-0.66F, -0.53F, 0.53F}, {power, power, power}, 20, 30},
+  changed |= drawAdd(LightKind::Spot, "A light from one place into a cone.", lights.spot(),
                      &Lighting::spots, session);
-  const Vec3 target = session.scene.camera.targetMm;
   const auto addArea = [&](const char* name, const char* about, const AreaLight& light) {
     changed |= drawAdd(LightKind::Area, about, light, &Lighting::areas, session, name);
   };
-  // As bright in the middle of the scene as the other new lights.
-  const float d = session.diagonalMm;
-  const Rgb radiance{14, 14, 14};
-  const Vec3 u{0.16F * d, 0, 0.2F * d};
-  const Vec3 v{0.12F * d, -0.24F * d, -0.1F * d};
   addArea("rectangle", "An even panel: soft shadows, and its shape in the reflection.",
-          RectangleLight{place, v, u, radiance});
+          lights.rectangle());
   controls::sameLineFor("add disc");
-  addArea("disc", "An even disc.", DiscLight{place, {-0.66F, -0.53F, 0.53F}, 0.28F * d, radiance});
+  addArea("disc", "An even disc.", lights.disc());
   controls::sameLineFor("add sphere");
-  addArea("sphere", "An even ball.", SphereLight{place, 0.2F * d, {24, 24, 24}});
+  addArea("sphere", "An even ball.", lights.sphere());
   controls::sameLineFor("add tube");
-  addArea("tube", "An even tube, without its ends.",
-          TubeLight{{place[0], target[1] - 0.5F * d, place[2]},
-                    {place[0], target[1] + 0.5F * d, place[2]},
-                    0.05F * d,
-                    {30, 30, 30}});
+  addArea("tube", "An even tube, without its ends.", lights.tube());
   return changed;
 }
 
@@ -148,11 +129,11 @@ void drawGround(Session& session) {
 
 }  // namespace
 
-void drawLightPanel(Session& session) {
+void drawLightPanel(Session& session, const Projection& projection) {
   if (!controls::section("Light", false)) return;
   Lighting& lighting = session.scene.lighting;
   // The buttons stay in place while the list below them grows.
-  bool changed = drawAdding(session);
+  bool changed = drawAdding(session, projection);
   drawList(lighting, session.light);
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=

@@ -2,6 +2,7 @@
 
 #include "viewer/files/saver.h"
 #include "viewer/panels/timing_history.h"
+#include "viewer/picture/projection.h"
 #include "viewer/session/session.h"
 #include "viewer/session/truth_view.h"
 
@@ -15,7 +16,7 @@ void chooseObject(Session& session);
 
 void drawMediumPanel(Session& session);
 void drawMaterialPanel(Session& session);
-void drawLightPanel(Session& session);
+void drawLightPanel(Session& session, const Projection& projection);
 void drawMethodPanel(Session& session);
 void drawMotionPanel(Session& session);
 void drawTruthPanel(Session& session, const TruthView& truth);

@@ -12,21 +12,14 @@ namespace opaline::app::viewer {
 
 namespace {
 
-constexpr float reachPixels = 14;
 // Handles that are as near to each other as that cover each other.
-constexpr float tiePixels = 3;
+constexpr float tieInReaches = 0.2F;
 
-// The sphere is large enough that handles stand beside the body, and small enough that they are in
-// the picture.
-float sphereMm(const Session& session, const Projection& projection) {
-  return std::min(0.55F * session.diagonalMm, 0.24F * projection.view().distanceMm);
-}
-
-// A place on that sphere.
+// A place on the sphere of directional lights.
 glm::vec3 placeOf(const Session& session, const Projection& projection,
                   const DirectionalLight& light) {
   return toGlm(session.scene.camera.targetMm) +
-         sphereMm(session, projection) * glm::normalize(toGlm(light.directionToLight));
+         radiusOfSphereMm(session, projection) * glm::normalize(toGlm(light.directionToLight));
 }
 
 glm::vec3 placeOf(const Session& session, const Projection& projection, const LightEntry& entry) {
@@ -152,6 +145,23 @@ bool isSame(const LightHandle& a, const LightHandle& b) {
 
 }  // namespace
 
+float reachOfHandles() {
+  constexpr float reach = 14;
+  return reach * ImGui::GetIO().DisplayFramebufferScale.x;
+}
+
+// The sphere is large enough that handles stand beside the body, and small enough that they are in
+// the picture.
+float radiusOfSphereMm(const Session& session, const Projection& projection) {
+  return std::min(0.55F * session.diagonalMm, 0.24F * projection.view().distanceMm);
+}
+
+std::vector<glm::vec3> placesOfHandles(const Session& session, const Projection& projection) {
+  std::vector<glm::vec3> places;
+  for (const LightHandle& handle : handlesOf(session, projection)) places.push_back(handle.placeMm);
+  return places;
+}
+
 std::vector<LightHandle> LightHandles::shown(const Session& session,
                                              const Projection& projection) const {
   std::vector<LightHandle> handles = handlesOf(session, projection);
@@ -164,14 +174,14 @@ std::vector<LightHandle> LightHandles::shown(const Session& session,
 std::optional<LightHandle> LightHandles::at(const Session& session, const Projection& projection,
                                             const glm::vec2& pixel) const {
   std::optional<LightHandle> nearest;
-  const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
-  float least = reachPixels * scale;
+  const float reach = reachOfHandles();
+  float least = reach;
   for (const LightHandle& handle : shown(session, projection)) {
     const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
     const float distance = glm::length(*place - pixel);
-    const float lead = handle.light == session.light ? tiePixels * scale : 0;
-    if (distance > reachPixels * scale || distance - lead > least) continue;
+    const float lead = handle.light == session.light ? tieInReaches * reach : 0;
+    if (distance > reach || distance - lead > least) continue;
     least = distance - lead;
     nearest = handle;
   }
@@ -207,8 +217,8 @@ bool LightHandles::drag(Session& session, const Projection& projection, const gl
   if (turns(*grabbed_)) grabbed_->placeMm = place;
   switch (entry.kind) {
     case LightKind::Directional:
-      lighting.directional[entry.index].directionToLight =
-          fromGlm(onSphere((place - about) / sphereMm(session, projection), inFront_, view.ahead));
+      lighting.directional[entry.index].directionToLight = fromGlm(
+          onSphere((place - about) / radiusOfSphereMm(session, projection), inFront_, view.ahead));
       return true;
     case LightKind::Point:
       lighting.points[entry.index].positionMm = fromGlm(place);

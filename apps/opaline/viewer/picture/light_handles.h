@@ -23,6 +23,15 @@ struct LightHandle {
   AreaGrip::Kind grip = AreaGrip::Kind::U;
 };
 
+/// How near to a handle's middle it can be grabbed, in pixels.
+float reachOfHandles();
+
+/// The radius of the sphere on which directional lights have their handles.
+float radiusOfSphereMm(const Session& session, const Projection& projection);
+
+/// Where all handles are while none is dragged.
+std::vector<glm::vec3> placesOfHandles(const Session& session, const Projection& projection);
+
 /// Handles for lights in the picture. A directional light is on a sphere about the camera's target.
 /// It is dragged along the sphere, and past its rim to the far side. Other lights are at their own
 /// places and are dragged parallel to the picture. A selected spot light has another handle at the

@@ -20,6 +20,10 @@ struct Area {
     return px >= static_cast<float>(x) && py >= static_cast<float>(y) &&
            px < static_cast<float>(x + width) && py < static_cast<float>(y + height);
   }
+  /// Whether it holds all that is up to `margin` to each side of the point.
+  bool holds(float px, float py, float margin) const {
+    return holds(px - margin, py - margin) && holds(px + margin, py + margin);
+  }
 };
 
 /// The largest area with a picture's proportions within another.

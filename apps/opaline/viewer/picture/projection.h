@@ -32,6 +32,7 @@ class Projection {
   Projection(const Camera& camera, const Area& area);
 
   const ViewFrame& view() const { return view_; }
+  const Area& area() const { return area_; }
   /// None for a place behind the camera.
   std::optional<glm::vec2> toWindow(const glm::vec3& placeMm) const;
   Ray through(const glm::vec2& pixel) const;
