@@ -1,5 +1,6 @@
 """Every panel by mouse: what is changed there changes the picture, and only as much as it should."""
 
+import re
 import unittest
 
 from driver import COARSE, CORNERS, WindowTest
@@ -11,7 +12,8 @@ class Panels(WindowTest):
         """In one window, one after the other, as they stand after each other."""
         self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", *CORNERS, "--size", "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
-                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.ground, self.many_lights):
+                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.from_above,
+                     self.ground, self.many_lights):
             with self.subTest(part.__name__):
                 part()
         self.window.close()
@@ -75,6 +77,25 @@ class Panels(WindowTest):
             self.assertGreater(before.difference(window.picture()), .3, shape)
             window.click("Light/delete")
             self.assertNotIn(f"Light/{shape} 1", window.state()["controls"])
+
+    def from_above(self):
+        """The height of a disc is where it shines from, as that of all lights; a second click on a button adds a second light."""
+        window = self.window
+        window.only("Light")
+        button = window.place("Light/add disc")
+        window.click(button)
+        window.click(button)
+        self.assertIn("Light/disc 2", window.state()["controls"])
+        window.click("Light/delete")
+        window.click("Light/disc 1")
+        place = window.place("Light/height")
+        window.drag(place, (place[0] + 400, place[1]))
+        window.key("s")
+        (saved,) = self.folder.glob("*.toml")
+        normal = re.search(r"normal = \[(.*)\]", saved.read_text(encoding="utf-8"))[1].split(",")
+        self.assertLess(float(normal[1]), -.99, "it shines down")
+        saved.unlink()
+        window.click("Light/delete")
 
     def ground(self):
         """Put under the scene, coloured, taken back and saved."""
