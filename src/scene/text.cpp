@@ -85,6 +85,12 @@ std::string cleanText(std::string_view text, std::size_t longest) {
   return clean;
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
 bool isUtf8(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = characterLength(text);

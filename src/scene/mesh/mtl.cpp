@@ -30,8 +30,8 @@ class MtlReader {
     constexpr std::size_t longest = 64U << 20U;
     const std::vector<std::byte> bytes =
         readFile(fileBeside(obj_.file, file, "material file"), longest);
-    std::istringstream stream(
-        std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    std::istringstream stream(std::string(
+        withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()})));
     std::map<std::string, int> indices;
     std::vector<tinyobj::material_t> found;
     std::string warning;

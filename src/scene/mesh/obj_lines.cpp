@@ -112,7 +112,8 @@ void failObj(const Input& input, const std::string& reason) {
 }
 
 std::string_view textOf(const Input& input) {
-  return {reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size()};
+  return withoutByteOrderMark(
+      {reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size()});
 }
 
 std::string_view nextWord(std::string_view& line) {

@@ -13,7 +13,7 @@ namespace opaline::scene {
 
 [[noreturn]] void failObj(const Input& input, const std::string& reason);
 
-/// The file's bytes.
+/// The file's text, without a byte-order mark.
 std::string_view textOf(const Input& input);
 
 /// Takes the next word off a line, empty at its end.

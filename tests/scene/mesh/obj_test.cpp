@@ -210,6 +210,19 @@ TEST_F(Obj, MaterialsComeFromTheirFile) {
   EXPECT_EQ(rows, (std::set<float>{0, 0.75F, 1}));
 }
 
+// The mark is U+FEFF in UTF-8.
+TEST_F(Obj, ByteOrderMarksAreSkipped) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const Mesh mesh = load(mark + cubeCorners + quads).objects[0].mesh;
+  EXPECT_EQ(mesh.positionsMm.size(), 8U);
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  EXPECT_THAT(errorOf(mark + "v 0 nan 0\n"), HasSubstr("line 1: 'nan'"));
+  test::writeBytes(folder / "a.mtl", mark + "newmtl glaze\nKd 0.5 0.25 1\n");
+  const Scene scene = load(mark + "mtllib a.mtl\nusemtl glaze\n" + cubeCorners + quads);
+  ASSERT_TRUE(scene.objects[0].opaque);
+  EXPECT_EQ(scene.objects[0].opaque->baseColor, (Rgb{0.5F, 0.25F, 1}));
+}
+
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {
   const Scene scene =
       load("mtllib ../\xFF.mtl\no \xC3\x28\n" + cubeCorners + "usemtl \xFF\xFE\n" + quads);
