@@ -13,6 +13,7 @@
 #include "core/texture_file.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "scene/mesh/obj_lines.h"
 #include "scene/not_shown.h"
 #include "scene/own_folder.h"
 #include "scene/text.h"
@@ -105,6 +106,22 @@ class MtlReader {
 };
 
 }  // namespace
+
+std::vector<std::string> materialFilesOf(const Input& obj, const std::string& line) {
+  const std::string folder = folderOf(obj.file);
+  std::string refusal;
+  const auto isFile = [&](const std::string& name) {
+    return fileInFolder(folder, name, "material file", refusal).has_value();
+  };
+  if (isFile(line)) return {line};
+  std::vector<std::string> names;
+  std::string_view rest = line;
+  for (std::string_view word = nextWord(rest); !word.empty() && !word.starts_with('#');
+       word = nextWord(rest))
+    names.emplace_back(word);
+  if (std::none_of(names.begin(), names.end(), isFile)) return {line};
+  return names;
+}
 
 std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
                                               std::vector<NotShown>& unreadable) {

@@ -11,6 +11,10 @@
 
 namespace opaline::scene {
 
+/// The files that the rest of a line `mtllib` names. It is one name with blanks if there is such a
+/// file, or if no word of it is a file; otherwise its words are names.
+std::vector<std::string> materialFilesOf(const Input& obj, const std::string& line);
+
 /// The materials of an OBJ file's .mtl files, by name: Kd, Ks, Ns, Ke, d, map_Kd, map_Ke and norm,
 /// and Pr and Pm where a program wrote them. Files that cannot be read are left out, with a note.
 /// So are pictures, which are also counted in `unreadable`.

@@ -206,6 +206,7 @@ std::vector<std::string> partsWithoutObject(const ObjReader& reader, const Mater
 }
 
 std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras,
+                                 std::span<const std::string> materialFiles,
                                  const Materials& materials) {
   std::vector<NotShown> result;
   for (const Group& group : reader.groups) {
@@ -215,9 +216,7 @@ std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extra
     }
   }
   if (materials.empty()) {
-    for (const std::string& file : extras.materialFiles) {
-      addNotShown(result, "material files", file);
-    }
+    for (const std::string& file : materialFiles) addNotShown(result, "material files", file);
   }
   const std::size_t parts = reader.groupsOfPart.size() - reader.groupsOfPart.count("");
   if (parts > 1) {
@@ -324,7 +323,9 @@ RawScene loadObj(const Input& input) {
   reader.checkRange();
   smoothen(extras.smoothing, reader);
 
-  const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
+  std::vector<std::string> files;
+  for (const std::string& line : extras.materialFiles)
+    for (std::string& file : materialFilesOf(input, line)) files.push_back(std::move(file));
   RawScene scene;
   const Materials materials = readMtl(input, files, scene.unreadable);
   // Those that are neither a medium nor in a material file all become marble: one object.
@@ -344,7 +345,7 @@ RawScene loadObj(const Input& input) {
   }
   addUnused(reader, scene.objects[0]);
   for (RawObject& object : scene.objects) startProvenance(object.mesh);
-  addNotShown(scene.notShown, notShownOf(reader, extras, materials));
+  addNotShown(scene.notShown, notShownOf(reader, extras, files, materials));
   return scene;
 }
 

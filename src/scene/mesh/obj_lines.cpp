@@ -125,6 +125,12 @@ std::string_view nextWord(std::string_view& line) {
   return word;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
+  text.remove_prefix(begin);
+  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
+}
+
 std::optional<std::string> joinedLines(std::string_view text) {
   std::optional<std::string> joined;
   std::size_t begin = 0;
@@ -158,7 +164,7 @@ ObjExtras requireSoundLines(const Input& input, std::string_view text) {
     if (keyword == "s")
       if (const auto group = smoothingGroup(nextWord(line)))
         extras.smoothing.push_back({faces, *group});
-    if (keyword == "mtllib") extras.materialFiles.emplace_back(nextWord(line));
+    if (keyword == "mtllib") extras.materialFiles.emplace_back(trimmed(line));
     number += countLines(file.substr(0, whole.size));
     file.remove_prefix(whole.size);
   }

@@ -19,6 +19,9 @@ std::string_view textOf(const Input& input);
 /// Takes the next word off a line, empty at its end.
 std::string_view nextWord(std::string_view& line);
 
+/// The text without blanks around it.
+std::string_view trimmed(std::string_view text);
+
 /// The text with every line that ends in \ joined to the next. What stood between them becomes
 /// spaces, so that everything else stays at its place. Comments are not continued, as they may end
 /// in a folder's name. None where no line is continued.
@@ -33,8 +36,8 @@ struct ObjSmoothing {
 /// What the lines hold that tinyobjloader does not report.
 struct ObjExtras {
   std::size_t coloredVertices = 0;
-  std::vector<std::string> materialFiles;
-  std::vector<ObjSmoothing> smoothing;  ///< empty where the file has no groups
+  std::vector<std::string> materialFiles;  ///< as each line names them, which may be several
+  std::vector<ObjSmoothing> smoothing;     ///< empty where the file has no groups
 };
 
 /// Checks lines with numbers, since tinyobjloader reads what is not a number as 0, lets an index

@@ -210,6 +210,27 @@ TEST_F(Obj, MaterialsComeFromTheirFile) {
   EXPECT_EQ(rows, (std::set<float>{0, 0.75F, 1}));
 }
 
+TEST_F(Obj, NamesOfMaterialFilesMayHaveBlanks) {
+  test::writeBytes(folder / "my  glaze.mtl", "newmtl glaze\nKd 0.5 0.25 1\n");
+  test::writeBytes(folder / "wood.mtl", "newmtl wood\nKd 0.25 0 0\n");
+  const std::string body = cubeCorners + "usemtl glaze\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\n" +
+                           "usemtl wood\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  const Scene one = load("mtllib \tmy  glaze.mtl \r\nmtllib wood.mtl\n" + body);
+  ASSERT_EQ(one.objects.size(), 2U);
+  EXPECT_EQ(one.objects[0].opaque->baseColor, (Rgb{0.5F, 0.25F, 1}));
+  EXPECT_EQ(one.objects[1].opaque->baseColor, (Rgb{0.25F, 0, 0}));
+  EXPECT_TRUE(one.notShown.empty());
+  test::writeBytes(folder / "glaze.mtl", "newmtl glaze\nKd 0 1 0\n");
+  const Scene several = load("mtllib glaze.mtl\twood.mtl # both\n" + body);
+  ASSERT_EQ(several.objects.size(), 2U);
+  EXPECT_EQ(several.objects[0].opaque->baseColor, (Rgb{0, 1, 0}));
+  EXPECT_EQ(several.objects[1].opaque->baseColor, (Rgb{0.25F, 0, 0}));
+  const Scene none = load("mtllib no such file.mtl\n" + body);
+  ASSERT_EQ(none.notShown.size(), 2U);
+  EXPECT_EQ(none.notShown[1].what, "material files");
+  EXPECT_THAT(none.notShown[1].names, testing::ElementsAre("no such file.mtl"));
+}
+
 // The mark is U+FEFF in UTF-8.
 TEST_F(Obj, ByteOrderMarksAreSkipped) {
   const std::string mark = "\xEF\xBB\xBF";
