@@ -13,6 +13,7 @@
 #include "core/texture_file.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "scene/mesh/mtl_lines.h"
 #include "scene/mesh/obj_lines.h"
 #include "scene/not_shown.h"
 #include "scene/own_folder.h"
@@ -31,18 +32,24 @@ class MtlReader {
     constexpr std::size_t longest = 64U << 20U;
     const std::vector<std::byte> bytes =
         readFile(fileBeside(obj_.file, file, "material file"), longest);
-    std::istringstream stream(std::string(
-        withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()})));
+    MtlLines lines = mtlLines({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::istringstream stream(lines.text);
     std::map<std::string, int> indices;
     std::vector<tinyobj::material_t> found;
     std::string warning;
     std::string error;
     tinyobj::LoadMtl(&indices, &found, &stream, &warning, &error);
-    for (const tinyobj::material_t& material : found)
-      materials_.emplace(material.name, convert(material));
+    for (const tinyobj::material_t& material : found) {
+      // The library also gives a nameless one where there is none.
+      if (material.name.empty() || materials_.contains(material.name)) continue;
+      MtlMaterial read{convert(material), std::move(lines.notShown[material.name])};
+      // The surface ends where alpha is below one half.
+      if (read.shown.alpha > 0 && read.shown.alpha < 1) read.notShown.insert("blended alpha");
+      materials_.emplace(material.name, std::move(read));
+    }
   }
 
-  std::map<std::string, OpaqueMaterial> take() { return std::move(materials_); }
+  MtlMaterials take() { return std::move(materials_); }
 
  private:
   static float within(float value, float most) { return value > 0 ? std::min(value, most) : 0.0F; }
@@ -101,7 +108,7 @@ class MtlReader {
 
   const Input& obj_;
   std::vector<NotShown>& unreadable_;
-  std::map<std::string, OpaqueMaterial> materials_;
+  MtlMaterials materials_;
   std::map<std::string, std::shared_ptr<const TexturePixels>> pixels_;  // null: could not be read
 };
 
@@ -123,8 +130,8 @@ std::vector<std::string> materialFilesOf(const Input& obj, const std::string& li
   return names;
 }
 
-std::map<std::string, OpaqueMaterial> readMtl(const Input& obj, std::span<const std::string> files,
-                                              std::vector<NotShown>& unreadable) {
+MtlMaterials readMtl(const Input& obj, std::span<const std::string> files,
+                     std::vector<NotShown>& unreadable) {
   MtlReader reader(obj, unreadable);
   for (const std::string& file : files) {
     try {

@@ -178,17 +178,16 @@ void smoothen(std::span<const ObjSmoothing> smoothing, ObjReader& reader) {
   reader.normals.insert(reader.normals.end(), made.normals.begin(), made.normals.end());
 }
 
-using Materials = std::map<std::string, OpaqueMaterial>;
-
 /// The name of the medium or material whose faces make one object with those of the group. All that
 /// are neither become marble and have none.
-std::string objectOf(const Group& group, const Materials& materials) {
+std::string objectOf(const Group& group, const MtlMaterials& materials) {
   if (const auto medium = findMedium(group.name)) return medium->name;
   return materials.contains(group.name) ? group.name : "";
 }
 
 /// Parts whose faces are not exactly those of one object.
-std::vector<std::string> partsWithoutObject(const ObjReader& reader, const Materials& materials) {
+std::vector<std::string> partsWithoutObject(const ObjReader& reader,
+                                            const MtlMaterials& materials) {
   std::map<std::string, std::set<std::string>> objectsOfPart;
   std::map<std::string, std::size_t> partsOfObject;
   for (const auto& [part, groups] : reader.groupsOfPart) {
@@ -207,12 +206,16 @@ std::vector<std::string> partsWithoutObject(const ObjReader& reader, const Mater
 
 std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras,
                                  std::span<const std::string> materialFiles,
-                                 const Materials& materials) {
+                                 const MtlMaterials& materials) {
   std::vector<NotShown> result;
   for (const Group& group : reader.groups) {
-    const bool isMaterial = !group.sizes.empty() && !group.name.empty();
-    if (isMaterial && !findMedium(group.name) && !materials.contains(group.name)) {
+    if (group.sizes.empty() || group.name.empty() || findMedium(group.name)) continue;
+    const auto material = materials.find(group.name);
+    if (material == materials.end()) {
       addNotShown(result, "materials", group.name);
+    } else {
+      for (const std::string& what : material->second.notShown)
+        addNotShown(result, what, group.name);
     }
   }
   if (materials.empty()) {
@@ -224,6 +227,7 @@ std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extra
       addNotShown(result, "groups as objects of their own", part);
     }
   }
+  addNotShown(result, extras.notShown);
   if (extras.coloredVertices > 0) addNotShown(result, "vertex colours", {});
   return result;
 }
@@ -327,7 +331,7 @@ RawScene loadObj(const Input& input) {
   for (const std::string& line : extras.materialFiles)
     for (std::string& file : materialFilesOf(input, line)) files.push_back(std::move(file));
   RawScene scene;
-  const Materials materials = readMtl(input, files, scene.unreadable);
+  const MtlMaterials materials = readMtl(input, files, scene.unreadable);
   // Those that are neither a medium nor in a material file all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {
@@ -339,7 +343,7 @@ RawScene loadObj(const Input& input) {
     object.name = medium.empty() ? cleanText(input.file.stem().string()) : cleanText(medium);
     object.medium = findMedium(medium).value_or(defaultMedium());
     const auto material = materials.find(medium);
-    if (material != materials.end() && !findMedium(medium)) object.opaque = material->second;
+    if (material != materials.end() && !findMedium(medium)) object.opaque = material->second.shown;
     buildMesh(reader, groups, object);
     scene.objects.push_back(std::move(object));
   }

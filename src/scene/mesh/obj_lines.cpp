@@ -8,24 +8,12 @@
 #include <limits>
 
 #include "opaline/error.h"
+#include "scene/not_shown.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
 
 namespace {
-
-struct Line {
-  std::string_view text;
-  std::size_t size = 0;  ///< with the line break
-};
-
-Line nextLine(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const bool pair = text.substr(end, 2) == "\r\n";
-  const Line line{text.substr(0, end), std::min(end + (pair ? 2 : 1), text.size())};
-  text.remove_prefix(line.size);
-  return line;
-}
 
 bool hasComment(std::string_view line) {
   for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
@@ -94,6 +82,14 @@ void checkCorners(const Input& input, std::string_view line, std::size_t number)
   }
 }
 
+/// What no picture shows of such a line; empty if all of it is shown, or it only sets how others
+/// are.
+std::string_view kindNotShown(std::string_view keyword) {
+  if (keyword == "l" || keyword == "p") return "points and lines";
+  if (keyword == "curv" || keyword == "surf") return "free-form curves and surfaces";
+  return {};
+}
+
 /// "off" counts as 0; none if the word is neither that nor a number.
 std::optional<std::uint32_t> smoothingGroup(std::string_view word) {
   if (word == "off") return 0;
@@ -116,6 +112,14 @@ std::string_view textOf(const Input& input) {
       {reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size()});
 }
 
+ObjLine nextLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const bool pair = text.substr(end, 2) == "\r\n";
+  const ObjLine line{text.substr(0, end), std::min(end + (pair ? 2 : 1), text.size())};
+  text.remove_prefix(line.size);
+  return line;
+}
+
 std::string_view nextWord(std::string_view& line) {
   const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
   line.remove_prefix(begin);
@@ -135,7 +139,7 @@ std::optional<std::string> joinedLines(std::string_view text) {
   std::optional<std::string> joined;
   std::size_t begin = 0;
   for (std::string_view rest = text; !rest.empty();) {
-    const Line line = nextLine(rest);
+    const ObjLine line = nextLine(rest);
     if (line.text.ends_with('\\') && !hasComment(line.text)) {
       if (!joined) joined.emplace(text);
       const std::size_t end = line.text.size() - 1;
@@ -154,11 +158,13 @@ ObjExtras requireSoundLines(const Input& input, std::string_view text) {
   std::size_t faces = 0;
   std::string_view file = textOf(input);
   for (std::size_t number = 1; !text.empty();) {
-    const Line whole = nextLine(text);
+    const ObjLine whole = nextLine(text);
     std::string_view line = whole.text;
     const std::string_view keyword = nextWord(line);
     if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
     if (keyword == "f") checkCorners(input, line, number);
+    if (const std::string_view what = kindNotShown(keyword); !what.empty())
+      addNotShown(extras.notShown, what, {});
     if (keyword == "v" && countNumbers(line) >= 6) ++extras.coloredVertices;
     if (keyword == "f" && !nextWord(line).empty()) ++faces;
     if (keyword == "s")

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "opaline/scene.h"
 #include "scene/formats.h"
 
 namespace opaline::scene {
@@ -15,6 +16,14 @@ namespace opaline::scene {
 
 /// The file's text, without a byte-order mark.
 std::string_view textOf(const Input& input);
+
+struct ObjLine {
+  std::string_view text;
+  std::size_t size = 0;  ///< with the line break
+};
+
+/// Takes the next line off a text.
+ObjLine nextLine(std::string_view& text);
 
 /// Takes the next word off a line, empty at its end.
 std::string_view nextWord(std::string_view& line);
@@ -37,7 +46,8 @@ struct ObjSmoothing {
 struct ObjExtras {
   std::size_t coloredVertices = 0;
   std::vector<std::string> materialFiles;  ///< as each line names them, which may be several
-  std::vector<ObjSmoothing> smoothing;     ///< empty where the file has no groups
+  std::vector<NotShown> notShown;
+  std::vector<ObjSmoothing> smoothing;  ///< empty where the file has no groups
 };
 
 /// Checks lines with numbers, since tinyobjloader reads what is not a number as 0, lets an index

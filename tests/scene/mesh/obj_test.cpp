@@ -26,6 +26,15 @@ class Obj : public testing::Test {
     EXPECT_THAT(message, HasSubstr("a.obj"));
     return message;
   }
+  std::string notShown(const std::string& text) {
+    std::string said;
+    for (const NotShown& kind : load(text).notShown) {
+      said += kind.what + " " + std::to_string(kind.count);
+      for (const std::string& name : kind.names) said += " " + name;
+      said += "\n";
+    }
+    return said;
+  }
   test::TemporaryFolder folder;
 };
 
@@ -156,15 +165,6 @@ TEST_F(Obj, LinesThatAreContinuedAreJoined) {
 }
 
 TEST_F(Obj, WhatIsNotShownIsCounted) {
-  const auto notShown = [&](const std::string& text) {
-    std::string said;
-    for (const NotShown& kind : load(text).notShown) {
-      said += kind.what + " " + std::to_string(kind.count);
-      for (const std::string& name : kind.names) said += " " + name;
-      said += "\n";
-    }
-    return said;
-  };
   EXPECT_EQ(notShown(cubeCorners + "o cube\n" + quads), "");
   EXPECT_EQ(notShown(cubeCorners + "o cube\nusemtl wax\n" + quads), "");
   EXPECT_EQ(notShown("mtllib a.mtl\n" + cubeCorners +
@@ -178,6 +178,69 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
   EXPECT_EQ(notShown(faces + "usemtl marble\nf 1 2 6 5\nf 3 7 8 4\n"), "");
   EXPECT_EQ(notShown(faces + "usemtl marble\nf 1 2 6 5\nf 3 7 8 4\no rim\nf 1 5 7 3\n"),
             "groups as objects of their own 2 lid rim\n");
+}
+
+TEST_F(Obj, LinesPointsAndFreeFormsAreNotShown) {
+  EXPECT_EQ(notShown(cubeCorners + quads +
+                     "l 1 2 3\np 1\nl 4 5\ncstype bezier\ndeg 3\n"
+                     "curv 0 1 1 2 3 4\nparm u 0 1\nend\nsurf 0 1 0 1 1 2 3 4\nend\n"),
+            "points and lines 3\nfree-form curves and surfaces 2\n");
+}
+
+// What Blender, Maya and 3ds Max write for plain surfaces.
+TEST_F(Obj, OrdinaryMaterialsAreShownWhole) {
+  writePng(folder / "clay.png", {1, 1, {10, 20, 30, 255}});
+  for (const char* lines :
+       {"Ns 250\nKa 1 1 1\nKd .8 .8 .8\nKs .5 .5 .5\nKe 0 0 0\nNi 1.45\nd 1\nillum 2\n",
+        "Pr .5\nPm 0\nPs 0\nPc 0\nPcr .03\naniso 0\nanisor 0\nillum 3\n",
+        "illum 4\nKd .5 .5 .5\nKa 0 0 0\nTf 1 1 1\nNi 1\n",
+        "Tf +1 1 1\nTr 0\nillum 2\nmap_Ka clay.png\nmap_Kd clay.png\n",
+        "map_Kd -s 1 1 1 -o 0 0 0 -mm 0 1 -bm 1 -blendu on -clamp on clay.png\n"}) {
+    test::writeBytes(folder / "a.mtl", std::string("# made by hand\nnewmtl glaze\n") + lines);
+    EXPECT_EQ(notShown("mtllib a.mtl\nusemtl glaze\n" + cubeCorners + quads), "") << lines;
+  }
+}
+
+TEST_F(Obj, WhatMaterialsDoNotShowIsNamed) {
+  writePng(folder / "clay.png", {1, 1, {10, 20, 30, 255}});
+  const auto said = [&](const std::string& lines) {
+    test::writeBytes(folder / "a.mtl", "newmtl unused\nrefl x.png\nnewmtl glaze\n" + lines);
+    return notShown("mtllib a.mtl\nusemtl glaze\n" + cubeCorners + quads);
+  };
+  for (const char* key : {"map_Ks", "map_Ns", "map_d", "map_Ka", "refl", "disp", "decal", "bump",
+                          "map_Bump", "map_Pr", "hair"})
+    EXPECT_EQ(said(std::string(key) + " -bm 2 clay.png\n"), std::string(key) + " 1 glaze\n");
+  EXPECT_EQ(said("MAP_BUMP clay.png\nmap_bump clay.png\n"), "map_Bump 1 glaze\n");
+  for (const char* option :
+       {"-s 2", "-s 1 2 1", "-o 0 .5", "-t 0 0 1", "-mm 0 2", "-bm 3", "-blendu off", "-blendv off",
+        "-texres 256", "-imfchan r", "-type sphere", "-boost 2", "-cc on"}) {
+    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+    EXPECT_EQ(said("norm -clamp on " + std::string(option) + " -clamp off clay.png\n"),
+              name + " of norm 1 glaze\n");
+  }
+  EXPECT_EQ(said("illum 7\nNi 1.5\n"), "refraction 1 glaze\n");
+  EXPECT_EQ(said("Tf 1 .5 1\n"), "Tf 1 glaze\n");
+  EXPECT_EQ(said("Tf .5\n"), "Tf 1 glaze\n");
+  EXPECT_EQ(said("Pc .5\n"), "Pc 1 glaze\n");
+  EXPECT_EQ(said("d .3\nillum 4\n"), "blended alpha 1 glaze\n");
+  EXPECT_EQ(said("Kd spectral a.rfl\n"), "Kd spectral 1 glaze\n");
+}
+
+TEST_F(Obj, TexturesAreReadWhateverTheirOptionsAndCase) {
+  writePng(folder / "brown clay.png", {1, 1, {10, 20, 30, 255}});
+  for (const char* line :
+       {"map_kd brown clay.png", "MAP_KD\t-s 2 -clamp on brown clay.png ",
+        "map_Kd -o 0.5 0 -type sphere -clamp on -mm 0 1 -boost 3 brown clay.png"}) {
+    test::writeBytes(folder / "a.mtl", std::string("newmtl glaze\nKD 0.5 0.25 1\n") + line);
+    const Scene scene = load("mtllib a.mtl\nusemtl glaze\n" + cubeCorners +
+                             "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 4/3\nf 1/1 4/2 2/3\n");
+    const OpaqueMaterial& glaze = *scene.objects[0].opaque;
+    EXPECT_EQ(glaze.baseColor, (Rgb{0.5F, 0.25F, 1}));
+    ASSERT_TRUE(glaze.baseColorTexture) << line;
+    EXPECT_EQ(glaze.baseColorTexture->pixels->rgba[2], 30 * 257);
+    const bool isClamped = std::string_view(line).find("-clamp") != std::string_view::npos;
+    EXPECT_EQ(glaze.baseColorTexture->wrapU == TextureWrap::ClampToEdge, isClamped) << line;
+  }
 }
 
 TEST_F(Obj, MaterialsComeFromTheirFile) {
