@@ -354,28 +354,65 @@ struct Faces {
   std::vector<std::uint32_t> sizes;
 };
 
-void readFaces(const Input& input, const Element& element, Body& body, Faces& faces) {
+/// Calls onItem(number, indices) for each item of an element whose lists name vertices.
+template <typename OnItem>
+void readIndices(const Input& input, const Element& element, Body& body, OnItem&& onItem) {
   const auto isIndices = [](const Property& p) {
     return p.listCount && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
   const auto indices =
       std::find_if(element.properties.begin(), element.properties.end(), isIndices);
-  if (indices == element.properties.end()) fail(input, "its faces have no vertex_indices");
-  for (std::uint64_t face = 0; face < element.count; ++face) {
+  if (indices == element.properties.end())
+    fail(input, fmt::format("its {} have no vertex_indices",
+                            element.name == "face" ? "faces" : "triangle strips"));
+  std::vector<double> values;
+  for (std::uint64_t item = 0; item < element.count; ++item) {
+    values.clear();
     for (const Property& property : element.properties) {
       const std::uint64_t count = property.listCount ? body.nextCount(property, element) : 1;
-      const bool wanted = &property == &*indices;
-      if (wanted) faces.sizes.push_back(static_cast<std::uint32_t>(count));
       for (std::uint64_t n = 0; n < count; ++n) {
         const double value = body.next(property.type, element);
-        if (!wanted) continue;
-        if (!(value >= 0 && value < 4294967295.0) || value != std::floor(value)) {
-          fail(input, fmt::format("face {} names vertex {}, which does not exist", face, value));
-        }
-        faces.corners.push_back(static_cast<std::uint32_t>(value));
+        if (&property == &*indices) values.push_back(value);
       }
     }
+    onItem(item, values);
   }
+}
+
+std::uint32_t vertexNamed(const Input& input, std::string_view what, std::uint64_t item,
+                          double value) {
+  if (!(value >= 0 && value < 4294967295.0) || value != std::floor(value))
+    fail(input, fmt::format("{} {} names vertex {}, which does not exist", what, item, value));
+  return static_cast<std::uint32_t>(value);
+}
+
+void readFaces(const Input& input, const Element& element, Body& body, Faces& faces) {
+  readIndices(input, element, body, [&](std::uint64_t face, const std::vector<double>& values) {
+    for (const double value : values)
+      faces.corners.push_back(vertexNamed(input, "face", face, value));
+    faces.sizes.push_back(static_cast<std::uint32_t>(values.size()));
+  });
+}
+
+/// Strips as in the files of Stanford's scans: -1 ends one, and every other triangle is turned.
+/// Triangles that name a vertex twice only lead to the next.
+void readStrips(const Input& input, const Element& element, Body& body, Faces& faces) {
+  readIndices(input, element, body, [&](std::uint64_t item, const std::vector<double>& values) {
+    std::array<std::uint32_t, 3> last{};
+    std::size_t length = 0;
+    for (const double value : values) {
+      if (value == -1) {
+        length = 0;
+        continue;
+      }
+      last = {last[1], last[2], vertexNamed(input, "triangle strip", item, value)};
+      const auto [a, b, c] = last;
+      if (++length < 3 || a == b || b == c || c == a) continue;
+      const bool isTurned = length % 2 == 0;
+      faces.corners.insert(faces.corners.end(), {isTurned ? b : a, isTurned ? a : b, c});
+      faces.sizes.push_back(3);
+    }
+  });
 }
 
 void buildTriangles(const Input& input, const Faces& faces, RawMesh& mesh) {
@@ -420,6 +457,7 @@ RawScene loadPly(const Input& input) {
   Faces faces;
   bool sawVertices = false;
   bool sawFaces = false;
+  bool sawStrips = false;
   for (const Element& element : header.elements) {
     body.requireRoom(element);
     if (element.name == "vertex" && !sawVertices) {
@@ -430,12 +468,18 @@ RawScene loadPly(const Input& input) {
       sawFaces = true;
       readFaces(input, element, body, faces);
       addNotShown(element, false, scene.notShown);
+    } else if (element.name == "tristrips" && !sawStrips) {
+      sawStrips = true;
+      readStrips(input, element, body, faces);
+      addNotShown(element, false, scene.notShown);
     } else {
       skip(element, body);
+      if (element.count > 0) scene::addNotShown(scene.notShown, "other elements", element.name);
     }
   }
   if (!sawVertices) fail(input, "it has no vertices");
-  if (!sawFaces) fail(input, "it has no faces; point clouds have no surface that can be rendered");
+  if (!sawFaces && !sawStrips)
+    fail(input, "it has no faces; point clouds have no surface that can be rendered");
   buildTriangles(input, faces, object.mesh);
   startProvenance(object.mesh);
   scene.objects.push_back(std::move(object));

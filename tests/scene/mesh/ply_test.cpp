@@ -35,6 +35,11 @@ const std::string tetrahedronText =
     "property float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\n"
     "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  text.replace(text.find(what), what.size(), with);
+  return text;
+}
+
 LoadOptions exactly(float diagonal) {
   LoadOptions options;
   options.diagonalMm = diagonal;
@@ -132,6 +137,40 @@ TEST_F(Ply, ColoursAreNotShownWhichIsSaid) {
   EXPECT_THAT(kinds, testing::ElementsAre("vertex colours", "texture coordinates", "face colours"));
 }
 
+TEST_F(Ply, OtherElementsAreNotShownWhichIsSaid) {
+  const std::string edges =
+      replaced(tetrahedronText, "end_header",
+               "element edge 2\nproperty int vertex1\nproperty int vertex2\nelement none 0\n"
+               "property int a\nend_header") +
+      "0 1\n1 2\n";
+  const Scene scene = load(edges);
+  EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 4U);
+  ASSERT_EQ(scene.notShown.size(), 1U);
+  EXPECT_EQ(scene.notShown[0].what, "other elements");
+  EXPECT_THAT(scene.notShown[0].names, testing::ElementsAre("edge"));
+}
+
+// The strip 0 2 1 3 is the triangles 0 2 1 and 1 2 3.
+TEST_F(Ply, TriangleStripsAreRead) {
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  for (const char* list : {"12 0 2 1 3 -1 0 1 3 -1 0 3 2", "7 0 2 1 3 0 2 2"}) {
+    const Scene scene = load(strips + list + "\n", exactly(std::sqrt(3.0F)));
+    test::expectSound(scene);
+    EXPECT_TRUE(scene.repairs.empty());
+    EXPECT_TRUE(scene.notShown.empty());
+    const Mesh& mesh = scene.objects[0].mesh;
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1.0 / 6, 1e-6) << list;
+  }
+  EXPECT_THAT(errorOf(strips + "3 0 1 -2\n"), HasSubstr("triangle strip 0 names vertex -2"));
+  EXPECT_THAT(errorOf(strips + "3 0 1 4\n"), HasSubstr("vertex 4"));
+  EXPECT_THAT(errorOf(replaced(strips, "vertex_indices", "what") + "3 0 1 2\n"),
+              HasSubstr("strips have no vertex_indices"));
+}
+
 // Whole numbers are decoded by IEC 61966-2-1.
 TEST_F(Ply, ColouredVerticesMakeAnOpaqueBody) {
   const Scene scene = load(
@@ -208,11 +247,6 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
       "property list uint int vertex_indices\nend_header\n";
   list += std::string(12, '\0') + "\xFF\xFF\xFF\xFF" + std::string(8, '\0');
   EXPECT_THAT(errorOf(list), HasSubstr("ends before all of its 1 faces"));
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  text.replace(text.find(what), what.size(), with);
-  return text;
 }
 
 TEST_F(Ply, BadContentsAreNamed) {
