@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/gltf/draft.h"
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/json.h"
 #include "scene/gltf/medium.h"
@@ -123,6 +124,16 @@ std::string nameOr(const std::string& name, std::string_view kind, std::size_t i
   return name.empty() ? fmt::format("{} {}", kind, index) : name;
 }
 
+/// Whether indices are left over that make no triangle (glTF 2.0, section 3.7.2.1).
+bool hasIncompleteTriangle(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  const int accessor = primitive.indices >= 0
+                           ? primitive.indices
+                           : attribute(primitive.attributes, "POSITION").value_or(-1);
+  if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size()) return false;
+  const std::size_t corners = model.accessors[static_cast<std::size_t>(accessor)].count;
+  return primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners % 3 != 0 : corners < 3;
+}
+
 constexpr const char* variants = "KHR_materials_variants";
 
 /// Adds each mesh once, however often it is drawn.
@@ -137,6 +148,7 @@ void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int
       addNotShown(to, "points and lines", name);
       continue;
     }
+    if (hasIncompleteTriangle(model, primitive)) addNotShown(to, "incomplete triangles", name);
     const int material = primitive.material;
     varies = varies || primitive.extensions.contains(variants);
     coloured = coloured || (!opaque.contains(material) &&

@@ -66,6 +66,24 @@ TEST_F(Gltf, InstancesPrimitivesAndMedia) {
   EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points and lines")));
 }
 
+// Eleven indices make three triangles, and two are left.
+TEST_F(Gltf, IncompleteTrianglesAreNamed) {
+  Parts parts;
+  parts.meshes = R"({"name":"body","primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  EXPECT_TRUE(load(parts).notShown.empty());
+  parts.accessors = test::changed(parts.accessors, R"("count":12)", R"("count":11)");
+  const Scene scene = load(parts);
+  EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 3U);
+  ASSERT_EQ(scene.notShown.size(), 1U);
+  EXPECT_EQ(scene.notShown[0].what, "incomplete triangles");
+  EXPECT_THAT(scene.notShown[0].names, testing::ElementsAre("body"));
+  // The four vertices in order are one triangle, and one is left.
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0}}]})";
+  EXPECT_EQ(load(parts).notShown.size(), 1U);
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"mode":5}]})";
+  EXPECT_TRUE(load(parts).notShown.empty());
+}
+
 TEST_F(Gltf, StripsFansAndMissingIndices) {
   const std::string square = test::raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
   Parts parts;
