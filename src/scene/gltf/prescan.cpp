@@ -55,6 +55,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool isDamaged = false;  ///< and so no JSON
 
   std::size_t buffersWithoutUri() const { return embedded_; }
+  const std::string& minVersion() const { return minVersion_; }
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
@@ -76,6 +77,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool string(string_t& text) override {
     if (depth_ == 2 && root_ == "extensionsRequired") found.extensionsRequired.push_back(text);
     if (depth_ == 2 && root_ == "extensionsUsed") found.extensionsUsed.push_back(text);
+    if (depth_ == 2 && root_ == "asset" && lastKey_ == "minVersion") minVersion_ = text;
     if (inBuffer() && lastKey_ == "uri") {
       bufferHasUri_ = !text.empty();
       if (!text.starts_with("data:")) found.bufferFiles.insert(percentDecoded(text));
@@ -144,7 +146,15 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool bufferHasUri_ = false;
   std::string root_;  ///< the key in the root below which everything lies
   std::string lastKey_;
+  std::string minVersion_;
 };
+
+/// glTF 2.0, section 3.2.
+void requireKnownVersion(const Input& input, const std::string& minVersion) {
+  if (minVersion.empty() || minVersion == "2.0" || minVersion.starts_with("1.")) return;
+  failGltf(input, fmt::format("it needs a reader of glTF version '{}', but this one reads 2.0",
+                              cleanText(minVersion, 20)));
+}
 
 }  // namespace
 
@@ -157,6 +167,7 @@ GltfPrescan prescanGltf(const Input& input, std::string_view json) {
   if (!whole || !scanner.problem.empty()) {
     failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
   }
+  requireKnownVersion(input, scanner.minVersion());
   // The error of an unknown extension comes first, since it may explain what else looks damaged.
   requireKnownExtensions(input, scanner.found.extensionsRequired);
   // tinygltf copies the binary chunk into each such buffer, unless it is a placeholder to be filled

@@ -152,6 +152,8 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
   EXPECT_THAT(textError("{\"asset\":{\"version\":\"2.0\"},\"x\":\"\xFF\xFE\"}"), HasSubstr("JSON"));
   EXPECT_THAT(textError("{ \"a\": 1 }"), HasSubstr("asset"));
   EXPECT_THAT(textError(R"({"asset":{"version":"1.0"}})"), HasSubstr("'1.0'"));
+  EXPECT_THAT(textError(R"({"asset":{"version":"2.1","minVersion":"2.1"},"nodes":[5]})"),
+              HasSubstr("a.gltf: it needs a reader of glTF version '2.1'"));
   EXPECT_THAT(textError(R"({"asset":{"version":"2.0"},"nodes":[5]})"), HasSubstr("glTF"));
   EXPECT_THAT(
       textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
