@@ -9,6 +9,8 @@
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "scene/formats.h"
+#include "scene/mesh/obj_lines.h"
+#include "scene/text.h"
 
 namespace opaline::scene {
 
@@ -37,13 +39,6 @@ std::string percentDecoded(std::string_view uri) {
   return text;
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 /// The values of all "uri" in a glTF file's JSON, except data URIs.
 void addUris(std::string_view text, const fs::path& folder, std::vector<fs::path>& to) {
   constexpr std::string_view key = "\"uri\"";
@@ -58,8 +53,9 @@ void addUris(std::string_view text, const fs::path& folder, std::vector<fs::path
   }
 }
 
-/// For each line that begins with a keyword, the rest of the line without its first words, for any
-/// number of them: options may precede a name, and a name may contain blanks.
+/// For each line that begins with a keyword, its words, and the rest of the line without its first
+/// words, for any number of them: there may be several names, options may precede one, and it may
+/// contain blanks.
 void addNamesBehind(std::string_view text, const fs::path& folder,
                     const std::vector<std::string_view>& keywords, std::vector<fs::path>& to) {
   constexpr int mostOptions = 40;
@@ -78,7 +74,9 @@ void addNamesBehind(std::string_view text, const fs::path& folder,
     std::string_view name = rest.substr(rest.size() - std::min(rest.size(), longestName));
     for (int option = 0; option < mostOptions && !name.empty(); ++option) {
       to.push_back(folder / name);
-      name = trimmed(name.substr(std::min(name.find_first_of(" \t"), name.size())));
+      const std::string_view word = nextWord(name);
+      name = trimmed(name);
+      if (!name.empty()) to.push_back(folder / word);
     }
   }
 }
@@ -98,7 +96,8 @@ void addModel(const fs::path& model, std::vector<fs::path>& to) {
   const fs::path folder = model.parent_path();
   const fs::path extension = model.extension();
   if (extension == ".ply" || extension == ".PLY") return;  // names no other files
-  const std::string text = textOf(model);
+  const std::string whole = textOf(model);
+  const std::string_view text = withoutByteOrderMark(whole);
   addUris(text, folder, to);
   const std::size_t first = to.size();
   addNamesBehind(text, folder, {"mtllib"}, to);

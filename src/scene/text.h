@@ -12,6 +12,9 @@ namespace opaline::scene {
 /// Replaces bytes that are not UTF-8 and control characters by U+FFFD. Longer text ends in "…".
 std::string cleanText(std::string_view text, std::size_t longest = 200);
 
+/// The text without blanks around it.
+std::string_view trimmed(std::string_view text);
+
 /// The text without the byte-order mark that some editors put before UTF-8.
 std::string_view withoutByteOrderMark(std::string_view text);
 

@@ -69,14 +69,16 @@ class DefaultNames(ProgramTest):
 class Inputs(ProgramTest):
     def test_what_is_read_is_not_written_over(self):
         self.write("cube.mtl", "newmtl wood\nmap_Kd -s 1 1 1 wood grain.png\nmap_Bump bump.png\n")
-        self.write("cube.obj", "mtllib cube.mtl\n" + CUBE_OBJ)
+        self.write("other.mtl", "newmtl clay\nmap_Kd clay.png\n")
+        self.write("clay.png", "one more")
+        self.write("cube.obj", "\ufeffmtllib other.mtl cube.mtl\n" + CUBE_OBJ)
         self.write("cube.toml", 'model = "cube.obj"\n')
         self.write("wood grain.png", "a texture")
         self.write("bump.png", "another")
         (self.folder / "link.png").symlink_to("bump.png")
         self.succeed(*TEAPOT, "-o", "sky.exr")
         for scene in ("cube.obj", "cube.toml"):
-            for name in ("wood grain.png", "bump.png", "link.png"):
+            for name in ("wood grain.png", "bump.png", "link.png", "clay.png"):
                 with self.subTest(scene=scene, name=name):
                     self.refused(2, "render", scene, *QUICK, "-o", name, says=(f"-o {name}", "is read"))
                     self.refused(2, "info", scene, "--atlas", name, says=(f"--atlas {name}", "is read"))

@@ -129,12 +129,6 @@ std::string_view nextWord(std::string_view& line) {
   return word;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
-}
-
 std::optional<std::string> joinedLines(std::string_view text) {
   std::optional<std::string> joined;
   std::size_t begin = 0;

@@ -28,9 +28,6 @@ ObjLine nextLine(std::string_view& text);
 /// Takes the next word off a line, empty at its end.
 std::string_view nextWord(std::string_view& line);
 
-/// The text without blanks around it.
-std::string_view trimmed(std::string_view text);
-
 /// The text with every line that ends in \ joined to the next. What stood between them becomes
 /// spaces, so that everything else stays at its place. Comments are not continued, as they may end
 /// in a folder's name. None where no line is continued.
