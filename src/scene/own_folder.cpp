@@ -30,6 +30,10 @@ std::optional<fs::path> fileInFolder(const std::string& folder, const std::strin
     refusal = fmt::format("its {} '{}' lies outside of the model's folder", kind, shown);
     return std::nullopt;
   }
+  if (name.starts_with("http://") || name.starts_with("https://")) {
+    refusal = fmt::format("its {} '{}' is on the network, but only files are read", kind, shown);
+    return std::nullopt;
+  }
   std::error_code problem;
   const fs::path real = fs::canonical(fs::path(folder) / relative, problem);
   if (problem) {

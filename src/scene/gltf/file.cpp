@@ -166,7 +166,7 @@ tinygltf::Model readGltf(const Input& input) {
   const bool binary = start == "glTF";
   FileAccess access;
   const std::string_view json = jsonOf(input, binary);
-  access.prescan = prescanGltf(input, json);
+  access.prescan = prescanGltf(input, json, binary);
   std::string changed;
   const std::string_view bytes = bytesToRead(input, access.prescan, json, binary, changed);
   access.folder = folderOf(input.file);

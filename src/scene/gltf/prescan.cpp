@@ -158,18 +158,21 @@ void requireKnownVersion(const Input& input, const std::string& minVersion) {
 
 }  // namespace
 
-GltfPrescan prescanGltf(const Input& input, std::string_view json) {
+GltfPrescan prescanGltf(const Input& input, std::string_view json, bool binary) {
   Scanner scanner;
   const bool whole = nlohmann::json::sax_parse(json.begin(), json.end(), &scanner);
   const std::size_t start = json.find_first_not_of(" \t\r\n");
   const bool isObject = start != std::string_view::npos && json[start] == '{';
-  if (scanner.isDamaged && !isObject) failGltf(input, "it is not a glTF file");
+  if ((scanner.isDamaged || whole) && !isObject) failGltf(input, "it is not a glTF file");
   if (!whole || !scanner.problem.empty()) {
     failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
   }
   requireKnownVersion(input, scanner.minVersion());
   // The error of an unknown extension comes first, since it may explain what else looks damaged.
   requireKnownExtensions(input, scanner.found.extensionsRequired);
+  if (scanner.buffersWithoutUri() > 0 && !binary && !mayHavePlaceholders(scanner.found)) {
+    failGltf(input, "a buffer has no 'uri', which only a .glb file may leave out");
+  }
   // tinygltf copies the binary chunk into each such buffer, unless it is a placeholder to be filled
   // later.
   if (scanner.buffersWithoutUri() > 1 && !mayHavePlaceholders(scanner.found)) {

@@ -18,8 +18,8 @@ struct GltfPrescan {
 };
 
 /// Throws Error for bytes that are not JSON, for JSON that is nested too deep or has too many
-/// values, and for several buffers in the binary chunk.
-GltfPrescan prescanGltf(const Input& input, std::string_view json);
+/// values, and for buffers whose data are nowhere or all in the binary chunk.
+GltfPrescan prescanGltf(const Input& input, std::string_view json, bool binary);
 
 /// Decodes the %20 and the like of a URI.
 std::string percentDecoded(std::string_view uri);

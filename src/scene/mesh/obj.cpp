@@ -68,6 +68,7 @@ struct ObjReader {
   std::string part{};  ///< of `o` or `g`, that faces belong to; may be empty
   std::map<std::string, std::set<std::size_t>> groupsOfPart{};  ///< of parts that have faces
   std::vector<std::size_t> endOfFace{};                         ///< among the corners
+  std::string problem{};                                        ///< with an index, the first
 
   void use(const std::string& material) {
     const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
@@ -77,17 +78,27 @@ struct ObjReader {
 
   /// Turns an index that is 1-based, or negative and relative to the last one so far, into a
   /// 0-based one.
-  static std::int64_t resolve(int index, std::size_t countSoFar) {
-    return index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(countSoFar) + index;
+  std::int64_t resolve(int index, std::size_t countSoFar, std::string_view one,
+                       std::string_view many) {
+    if (index > 0) return std::int64_t{index} - 1;
+    const std::int64_t resolved = static_cast<std::int64_t>(countSoFar) + index;
+    if (resolved < 0 && problem.empty()) {
+      problem = fmt::format("a face names {} {}, but there are {} {} before it", one, index,
+                            countSoFar, many);
+    }
+    return resolved;
   }
 
   void face(std::span<const tinyobj::index_t> indices) {
     std::uint32_t size = 0;
     for (const tinyobj::index_t& index : indices) {
       if (index.vertex_index == 0) break;  // the words of a comment
-      Corner corner{resolve(index.vertex_index, positions.size()), noNormal};
-      if (index.normal_index != 0) corner.normal = resolve(index.normal_index, normals.size());
-      if (index.texcoord_index != 0) corner.place = resolve(index.texcoord_index, places.size());
+      Corner corner{resolve(index.vertex_index, positions.size(), "vertex", "vertices"), noNormal};
+      if (index.normal_index != 0)
+        corner.normal = resolve(index.normal_index, normals.size(), "normal", "normals");
+      if (index.texcoord_index != 0)
+        corner.place = resolve(index.texcoord_index, places.size(), "texture coordinates",
+                               "texture coordinates");
       groups[current].corners.push_back(static_cast<std::uint32_t>(corners.size()));
       corners.push_back(corner);
       ++size;
@@ -99,18 +110,18 @@ struct ObjReader {
 
   /// To be called at the end, since a face may precede its vertices.
   void checkRange() const {
+    if (!problem.empty()) failObj(input, problem);
     for (const Corner& corner : corners) {
-      if (corner.position < 0 || corner.position >= static_cast<std::int64_t>(positions.size())) {
+      if (corner.position >= static_cast<std::int64_t>(positions.size())) {
         failObj(input, fmt::format("a face names vertex {}, but there are {} vertices",
                                    corner.position + 1, positions.size()));
       }
-      if (corner.place != noPlace &&
-          (corner.place < 0 || corner.place >= static_cast<std::int64_t>(places.size()))) {
+      if (corner.place != noPlace && corner.place >= static_cast<std::int64_t>(places.size())) {
         failObj(input, fmt::format("a face names texture coordinates {}, but there are {}",
                                    corner.place + 1, places.size()));
       }
       if (corner.normal == noNormal) continue;
-      if (corner.normal < 0 || corner.normal >= static_cast<std::int64_t>(normals.size())) {
+      if (corner.normal >= static_cast<std::int64_t>(normals.size())) {
         failObj(input, fmt::format("a face names normal {}, but there are {} normals",
                                    corner.normal + 1, normals.size()));
       }

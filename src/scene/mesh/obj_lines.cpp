@@ -37,9 +37,14 @@ bool isNumber(std::string_view word) {
   return problem == std::errc{} && std::abs(value) <= double{std::numeric_limits<float>::max()};
 }
 
-void checkNumbers(const Input& input, std::string_view line, std::size_t number) {
+void checkNumbers(const Input& input, std::string_view what, std::string_view line,
+                  std::size_t number) {
   for (int i = 0; i < 3; ++i) {
     const std::string_view word = nextWord(line);
+    if (word.empty() || word.starts_with('#')) {
+      failObj(input,
+              fmt::format("line {}: {} needs three coordinates, but has {}", number, what, i));
+    }
     if (!isNumber(word)) {
       failObj(input,
               fmt::format("line {}: '{}' is not a finite number", number, cleanText(word, 40)));
@@ -155,7 +160,8 @@ ObjExtras requireSoundLines(const Input& input, std::string_view text) {
     const ObjLine whole = nextLine(text);
     std::string_view line = whole.text;
     const std::string_view keyword = nextWord(line);
-    if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
+    if (keyword == "v") checkNumbers(input, "a vertex", line, number);
+    if (keyword == "vn") checkNumbers(input, "a normal", line, number);
     if (keyword == "f") checkCorners(input, line, number);
     if (const std::string_view what = kindNotShown(keyword); !what.empty())
       addNotShown(extras.notShown, what, {});

@@ -158,7 +158,12 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
   EXPECT_THAT(
       textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
       HasSubstr("a.gltf"));
-  EXPECT_THAT(textError("hello"), HasSubstr("it is not a glTF file"));
+  for (const char* text : {"hello", "[]", "[{\"asset\":1}]", "1", "\"glTF\""})
+    EXPECT_THAT(textError(text), testing::EndsWith("a.gltf: it is not a glTF file")) << text;
+  const std::string buffer = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":72}]})";
+  EXPECT_THAT(textError(buffer), HasSubstr("a buffer has no 'uri', which only a .glb file may"));
+  EXPECT_THAT(textError(test::changed(buffer, "72", R"(72,"uri":"https://example.com/a%20b.bin")")),
+              HasSubstr("its buffer 'https://example.com/a b.bin' is on the network"));
 }
 
 TEST_F(Gltf, WhatIsNoJsonIsNoGltf) {

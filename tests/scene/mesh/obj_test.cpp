@@ -134,7 +134,10 @@ TEST_F(Obj, UnusedVerticesAreCounted) {
 
 TEST_F(Obj, BadLinesAreNamed) {
   EXPECT_THAT(errorOf(cubeCorners + "f 1 2 9\n"), HasSubstr("vertex 9"));
-  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 -9\n"), HasSubstr("8 vertices"));
+  EXPECT_THAT(errorOf(cubeCorners + "f -1 -2 -99\nv 0 0 0\n"),
+              HasSubstr("a face names vertex -99, but there are 8 vertices before it"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1//-1 2//-1 3//-1\nvn 1 0 0\n"),
+              HasSubstr("normal -1, but there are 0 normals before it"));
   EXPECT_THAT(errorOf(cubeCorners + "f 1 2 0\n"), HasSubstr("line 9"));
   EXPECT_THAT(errorOf(cubeCorners + "f 1 2 4294967297\n"), HasSubstr("4294967297"));
   EXPECT_THAT(errorOf(cubeCorners + "f 1//5 2//5 3//5\n"), HasSubstr("normal 5"));
@@ -142,7 +145,9 @@ TEST_F(Obj, BadLinesAreNamed) {
   EXPECT_THAT(errorOf("v 0 nan 0\n" + cubeCorners + quads), HasSubstr("line 1"));
   EXPECT_THAT(errorOf("v 0 inf 0\n" + cubeCorners + quads), HasSubstr("finite"));
   EXPECT_THAT(errorOf("v 0 1e39 0\n" + cubeCorners + quads), HasSubstr("1e39"));
-  EXPECT_THAT(errorOf("v 0 1\n" + cubeCorners + quads), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf("v 0 1\n" + cubeCorners + quads),
+              HasSubstr("line 1: a vertex needs three coordinates, but has 2"));
+  EXPECT_THAT(errorOf("vn 1 # 0 0\n"), HasSubstr("a normal needs three coordinates, but has 1"));
   EXPECT_THAT(errorOf(cubeCorners), HasSubstr("no faces"));
   EXPECT_THAT(errorOf(cubeCorners + "f 1 1 1\nf 1 2\n"), HasSubstr("degenerate"));
   EXPECT_THAT(errorOf("hello"), HasSubstr("no vertices"));
@@ -161,7 +166,8 @@ TEST_F(Obj, LinesThatAreContinuedAreJoined) {
     EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
   }
   EXPECT_THAT(errorOf(cubeCorners + "f 1 \\\n 2 3\n\nf 1 \\\r\n 2 x"), HasSubstr("line 12: 'x'"));
-  EXPECT_THAT(errorOf("v 0 \\\n0 \\\n\nv 1 1 1\n"), HasSubstr("line 1: ''"));
+  EXPECT_THAT(errorOf("v 0 \\\n0 \\\n\nv 1 1 1\n"),
+              HasSubstr("line 1: a vertex needs three coordinates, but has 2"));
 }
 
 TEST_F(Obj, WhatIsNotShownIsCounted) {
