@@ -93,9 +93,7 @@ void drawSavePanel(Session& session, const Saver& saver) {
     ImGui::SameLine();
     choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
   }
-  ImGui::BeginDisabled();
-  controls::text(fmt::format("P and S save {}, or its next free name.", session.saveName));
-  ImGui::EndDisabled();
+  controls::hint(fmt::format("P and S save {}, or its next free name.", session.saveName));
   drawPictureSize(session);
   drawBackground(session);
   drawFilm(session);
