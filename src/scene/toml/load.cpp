@@ -138,6 +138,9 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
       table.number("diagonal_mm", options::fieldOf<LoadOptions>("diagonal_mm").allowed.range);
   std::optional<std::filesystem::path> morphTo = to.options.morphTo;
   if (const auto name = table.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
+  if (model->empty()) table.fail(key, "must not be empty");
+  if (table.has("morph_to") && model->starts_with("builtin:"))
+    table.fail("morph_to", "needs a model from a file: a built-in one turns into no other mesh");
   ModelSource& source = to.source.models.emplace_back();
   source = {*model, diagonal, morphTo, {}};
   LoadOptions builtInOptions;

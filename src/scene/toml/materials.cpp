@@ -52,7 +52,7 @@ Texture readTextureOf(const TomlTable& table, const std::string& key,
     texture.pixels = std::make_shared<const TexturePixels>(core::readTexture(path, bytes));
     return texture;
   } catch (const Error& error) {
-    table.fail(key, error.what());
+    table.fail(key, fmt::format("names no texture that can be read: {}", error.what()));
   }
 }
 

@@ -228,7 +228,9 @@ clip = "morph"
   EXPECT_THAT(errorOf(model + "[render]\nclip = 'morph'"), HasSubstr("has none"));
   EXPECT_EQ(load(model + "[render]\nclip = 'none'").settings.named.clip, "none");
   EXPECT_THAT(errorOf(model + "[render]\nseconds = -1"), HasSubstr("seconds"));
-  EXPECT_THROW(load("model = 'builtin:teapot'\nmorph_to = 'other.ply'"), UsageError);
+  EXPECT_THAT(errorOf("model = 'builtin:teapot'\nmorph_to = 'other.ply'"),
+              HasSubstr("line 2: 'morph_to'"));
+  EXPECT_THAT(errorOf("model = ''"), HasSubstr("'model' in the scene must not be empty"));
 }
 
 TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
