@@ -108,7 +108,8 @@ void drawBodySize(Session& session) {
 
 void showLengths(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
-  if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
+  if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchSame)) return;
+  ImGui::TableSetupColumn("length", ImGuiTableColumnFlags_WidthStretch, 2.4F);
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
