@@ -42,7 +42,7 @@ class Refusals(ProgramTest):
         self.refused(2, "rendr", says=("rendr", "did you mean render?"))
         self.refused(2, "xyzzyxyzzy", says="there is no command xyzzyxyzzy;")
         self.refused(2, "", says="there is no command")
-        self.refused(2, "info", "", says="SCENE must not be empty")
+        self.refused(1, "info", "", says="Cannot read a file without a name")
         self.refused(2, "render", "--environment", "", says="--environment needs a value, FILE")
 
     def test_an_unknown_option_suggests_its_neighbour(self):

@@ -86,9 +86,8 @@ std::string spaced(std::string names) {
   return comma == std::string::npos ? names : names.replace(comma, 1, ", ");
 }
 
-std::string missing(const std::string& name, const std::string& placeholder) {
-  if (name == placeholder) return fmt::format("{} must not be empty", name);
-  return fmt::format("{} needs a value, {}", name, placeholder);
+std::string missingValue(const std::string& option, const std::string& placeholder) {
+  return fmt::format("{} needs a value, {}", option, placeholder);
 }
 
 }  // namespace
@@ -228,7 +227,8 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
                                    given.size(), given[0], given[1]));
     }
     for (const std::string& text : given) {
-      if (text.empty()) throw UsageError(missing(name, entry.placeholder));
+      const bool isOption = name.starts_with('-');
+      if (text.empty() && isOption) throw UsageError(missingValue(name, entry.placeholder));
       entry.take({name, text});
     }
   }
@@ -273,7 +273,7 @@ void CommandLine::run(std::vector<std::string> arguments) {
       const std::string option = entry.option->get_name();
       if (option != name && option != "--" + name) continue;
       throw UsageError(entry.placeholder.empty() ? fmt::format("{} takes no value", option)
-                                                 : missing(option, entry.placeholder));
+                                                 : missingValue(option, entry.placeholder));
     }
     throw UsageError(message);
   } catch (const CLI::ParseError& error) {
