@@ -56,7 +56,7 @@ TEST(ReadFile, RefusesWhatIsNoFile) {
   EXPECT_THAT(messageOf([&] { readFile(folder / "none", 4); }), HasSubstr("no such file"));
   EXPECT_THAT(messageOf([&] { readFile(folder.path(), 4); }), HasSubstr("folder"));
   EXPECT_THAT(messageOf([&] { readFile("/dev/zero", 4); }), HasSubstr("not a regular file"));
-  EXPECT_THAT(messageOf([&] { readFile("", 4); }), HasSubstr("no such file"));
+  EXPECT_THAT(messageOf([&] { readFile("", 4); }), HasSubstr("without a name"));
 }
 
 TEST(WriteWhole, ReplacesAndLeavesNothingElse) {

@@ -53,7 +53,7 @@ std::vector<Change> changes() {
          lighting.ambient = {0.1F, 0.2F, 0.3F};
          r.setLighting(lighting);
        },
-       true, false},  // which was dark, and not mirrored
+       false, false},
       {"the camera moves",
        [](Renderer& r, View&) {
          Camera camera = wobblyBall().camera;
