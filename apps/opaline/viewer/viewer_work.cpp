@@ -84,21 +84,19 @@ void Viewer::takeLoaded() {
     dashboard_.layOut(made);
     const Area& area = dashboard_.area();
     if (!resizing_) {
+      // Files go on into the folder of the last.
+      const std::filesystem::path last(session_.saveName);
+      made.saveName = (last.parent_path() / made.name).string();
       showAll(made.scene, {made.time.clip, area.aspect(), made.sequence.get(),
                            someMoments(lengthOfMotion(made), made.sequence.get())});
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
-    if (!resizing_) {
-      truth_.forget();
-      // Files go on into the folder of the last.
-      const std::filesystem::path last(session_.saveName);
-      made.saveName = (last.parent_path() / made.name).string();
-    }
     poke_.end();
     stage_.setScene(made.scene, session_.scene);
     session_ = std::move(made);
     if (!resizing_) {
+      truth_.forget();
       undo_.begin(editStateOf(session_));
       reaching_ = false;
     }
