@@ -30,7 +30,7 @@ struct PlacedColour {
 };
 
 Given partOf(const Given& given, std::size_t from, std::size_t end) {
-  const std::string part = given.text.substr(from, end == std::string::npos ? end : end - from);
+  const std::string part = given.text.substr(from, end - from);
   return {given.option, part, part == given.text ? std::string() : given.text};
 }
 

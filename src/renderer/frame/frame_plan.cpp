@@ -107,8 +107,8 @@ bool leavesByOrigin(const FramePlan& plan) {
 }
 
 bool mirrorsBodies(const FramePlan& plan, const Scene& scene) {
-  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern &&
-         scene.objects.size() > 1 && (plan.opaque || plan.transport == Transport::Boundary);
+  return mirrorsSky(plan) && scene.objects.size() > 1 &&
+         (plan.opaque || plan.transport == Transport::Boundary);
 }
 
 bool showsLights(const FramePlan& plan, const Lighting& lighting) {

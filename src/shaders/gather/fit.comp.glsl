@@ -123,14 +123,15 @@ void fitPoint(uint light, Box box) {
   uvec4 kind = frame.lights[light].kind;
   float mapSize = float(frame.counts.y);
   float diagonal = distance(box.low, box.high);
+  float away = distanceTo(box, position);
   // A face's depth is at least 1/√3 of the distance, and half of it in a cone of 50°.
-  float near = max(max(0.5 * distanceTo(box, position), 1e-3 * diagonal), 1e-6);
+  float near = max(max(0.5 * away, 1e-3 * diagonal), 1e-6);
   bool one = kind.z == 1u;
   float tangent = one ? frame.lights[light].cone.z : 1.0;
   vec3 only = frame.lights[light].axis.xyz;
   vec3 ahead = position;
   vec3 middle = mix(box.low, box.high, 0.5);
-  if (distanceTo(box, position) > 0.0) {
+  if (away > 0.0) {
     vec3 towards = normalize(middle - position);
     float ofBox = tangentOf(box, position, towards);
     if (ofBox < tangent) {

@@ -22,8 +22,8 @@ namespace {
 
 // Whether the renderer accepts the scene with one more light of this kind.
 template <typename Light>
-bool hasRoomFor(const Light& light, Lighting lighting, std::vector<Light> Lighting::*lights) {
-  (lighting.*lights).push_back(light);
+bool hasRoomFor(Lighting lighting, std::vector<Light> Lighting::*lights) {
+  (lighting.*lights).emplace_back();
   return complaintAbout(lighting).empty();
 }
 
@@ -37,42 +37,55 @@ void drawList(const Lighting& lighting, int& chosen) {
   chosen = std::min(chosen, count - 1);
 }
 
-// A button that adds the light and selects it.
-template <typename Light>
-bool drawAdd(LightKind kind, const char* about, const Light& light,
-             std::vector<Light> Lighting::*lights, Session& session, const char* shape = nullptr) {
-  const std::string name = "add " + (shape != nullptr ? shape : nameOf(kind));
-  Lighting& lighting = session.scene.lighting;
-  ImGui::BeginDisabled(!hasRoomFor(light, lighting, lights));
-  const bool pressed = controls::button(name.c_str(), about);
-  ImGui::EndDisabled();
-  if (!pressed) return false;
-  (lighting.*lights).push_back(light);
-  session.light = static_cast<int>(numberOfLast(kind, lighting));
-  return true;
-}
+/// Adds lights to a session by buttons.
+class Adding {
+ public:
+  Adding(Session& session, const Projection& projection)
+      : session_(session), projection_(projection) {}
+
+  /// A button that adds the light that `make` takes from NewLights, and selects it. True if
+  /// pressed.
+  template <typename Light, typename Make>
+  bool draw(LightKind kind, const char* about, std::vector<Light> Lighting::*lights, Make&& make,
+            const char* shape = nullptr) {
+    const std::string name = "add " + (shape != nullptr ? shape : nameOf(kind));
+    Lighting& lighting = session_.scene.lighting;
+    ImGui::BeginDisabled(!hasRoomFor(lighting, lights));
+    const bool pressed = controls::button(name.c_str(), about);
+    ImGui::EndDisabled();
+    if (!pressed) return false;
+    (lighting.*lights).push_back(make(NewLights(session_, projection_)));
+    session_.light = static_cast<int>(numberOfLast(kind, lighting));
+    return true;
+  }
+
+ private:
+  Session& session_;
+  const Projection& projection_;
+};
 
 bool drawAdding(Session& session, const Projection& projection) {
-  const NewLights lights(session, projection);
-  bool changed = drawAdd(LightKind::Directional, "A light from infinitely far away.",
-                         lights.directional(), &Lighting::directional, session);
+  Adding adding(session, projection);
+  bool changed =
+      adding.draw(LightKind::Directional, "A light from infinitely far away.",
+                  &Lighting::directional, [](const NewLights& l) { return l.directional(); });
   controls::sameLineFor("add point");
-  changed |= drawAdd(LightKind::Point, "A light from one place.", lights.point(), &Lighting::points,
-                     session);
+  changed |= adding.draw(LightKind::Point, "A light from one place.", &Lighting::points,
+                         [](const NewLights& l) { return l.point(); });
   controls::sameLineFor("add spot");
-  changed |= drawAdd(LightKind::Spot, "A light from one place into a cone.", lights.spot(),
-                     &Lighting::spots, session);
-  const auto addArea = [&](const char* name, const char* about, const AreaLight& light) {
-    changed |= drawAdd(LightKind::Area, about, light, &Lighting::areas, session, name);
+  changed |= adding.draw(LightKind::Spot, "A light from one place into a cone.", &Lighting::spots,
+                         [](const NewLights& l) { return l.spot(); });
+  const auto addArea = [&](const char* name, const char* about, auto&& make) {
+    changed |= adding.draw(LightKind::Area, about, &Lighting::areas, make, name);
   };
   addArea("rectangle", "An even panel: soft shadows, and its shape in the reflection.",
-          lights.rectangle());
+          [](const NewLights& l) { return l.rectangle(); });
   controls::sameLineFor("add disc");
-  addArea("disc", "An even disc.", lights.disc());
+  addArea("disc", "An even disc.", [](const NewLights& l) { return l.disc(); });
   controls::sameLineFor("add sphere");
-  addArea("sphere", "An even ball.", lights.sphere());
+  addArea("sphere", "An even ball.", [](const NewLights& l) { return l.sphere(); });
   controls::sameLineFor("add tube");
-  addArea("tube", "An even tube, without its ends.", lights.tube());
+  addArea("tube", "An even tube, without its ends.", [](const NewLights& l) { return l.tube(); });
   return changed;
 }
 

@@ -65,6 +65,22 @@ float heightOf(const Caption& caption, float width) {
          0.2F * ImGui::GetFontSize();
 }
 
+struct Key {
+  const char* key;
+  const char* does;
+};
+
+// The list lies over the middle of the picture, but not beyond the window. Where its lines do not
+// fit they are wrapped, and the list can be scrolled.
+void placeKeys(const Area& area, float naturalWidth) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = std::min(naturalWidth, screen.x);
+  const float middle = static_cast<float>(area.x) + 0.5F * static_cast<float>(area.width);
+  const float left = std::clamp(middle - 0.5F * width, 0.0F, screen.x - width);
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
+  ImGui::SetNextWindowPos({left, 0.5F * screen.y}, ImGuiCond_Always, {0, 0.5F});
+}
+
 }  // namespace
 
 void drawScaleBar(const Session& session, const Projection& projection, const Area& area,
@@ -160,26 +176,6 @@ Box boxOf(const std::vector<Caption>& captions, const Area& area) {
   return {static_cast<float>(area.x), static_cast<float>(area.y), static_cast<float>(area.width),
           height};
 }
-
-namespace {
-
-struct Key {
-  const char* key;
-  const char* does;
-};
-
-// The list lies over the middle of the picture, but not beyond the window. Where its lines do not
-// fit they are wrapped, and the list can be scrolled.
-void placeKeys(const Area& area, float naturalWidth) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(naturalWidth, screen.x);
-  const float middle = static_cast<float>(area.x) + 0.5F * static_cast<float>(area.width);
-  const float left = std::clamp(middle - 0.5F * width, 0.0F, screen.x - width);
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
-  ImGui::SetNextWindowPos({left, 0.5F * screen.y}, ImGuiCond_Always, {0, 0.5F});
-}
-
-}  // namespace
 
 void drawKeys(const Area& area) {
   constexpr std::array keys{Key{"drag", "turn about the scene; move a light by its handle"},

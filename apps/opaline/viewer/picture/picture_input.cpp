@@ -147,11 +147,9 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
     case GLFW_KEY_B:
       session.poke = !session.poke;
       return;
-    case GLFW_KEY_H: {
-      const bool any = session.gizmos || session.scaleBar;
-      session.gizmos = session.scaleBar = !any;
+    case GLFW_KEY_H:
+      session.gizmos = session.scaleBar = !(session.gizmos || session.scaleBar);
       return;
-    }
     case GLFW_KEY_O:
       return expose(session, 0.5F);
     case GLFW_KEY_X:
