@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -160,33 +161,80 @@ TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
   EXPECT_TRUE(chosen.rgba == fragment.rgba);
 }
 
+struct Spread {
+  double mean = 0;
+  double rms = 0;  // of the difference from it, over the mean
+};
+
+// Of a channel over places in the middle of a plate.
+Spread spreadOf(const Image& image, const Image& position, std::size_t channel, float halfMm) {
+  double sum = 0;
+  double squares = 0;
+  int seen = 0;
+  forEachCovered(image, [&](std::size_t i) {
+    if (std::max(std::abs(position.rgba[i]), std::abs(position.rgba[i + 1])) > halfMm) return;
+    const auto value = static_cast<double>(image.rgba[i + channel]);
+    sum += value;
+    squares += value * value;
+    ++seen;
+  });
+  EXPECT_GT(seen, 1000);
+  const double mean = sum / seen;
+  return {mean, std::sqrt(squares / seen - mean * mean) / mean};
+}
+
+RenderOptions ofPlates(int maxClusters) {
+  RenderOptions options = optionsAt(Site::Fragment, 65'536);
+  options.transport = Transport::Boundary;
+  options.width = options.height = 128;
+  options.maxClusters = maxClusters;
+  return options;
+}
+
 // Light through a plate 20 times as wide as thick must be even in its middle, even if clusters are
 // two mean free paths apart and larger than shape and medium ask for.
 TEST_F(LargeSurfaceTest, APlateLitFromBehindIsEven) {
   Scene scene = sceneOf(box({0, 0, 0}, {88, 88, 4}, 1), *findMedium("chicken1"), {0, 0, 300}, 44);
   scene.lighting.directional = {{{0, 0, -1}, {3, 3, 3}}};
-  RenderOptions options = optionsAt(Site::Fragment, 65'536);
-  options.transport = Transport::Boundary;
-  options.width = options.height = 128;
-  options.maxClusters = 2048;
+  const std::vector<Image> images = render(scene, ofPlates(2048), {Aov::Exitance, Aov::Position});
+  for (std::size_t c = 0; c < 2; ++c)  // too little blue gets through
+    EXPECT_LT(spreadOf(images[0], images[1], c, 44).rms, 0.05) << c;
+}
+
+struct SheetCase {
+  const char* name;
+  float thicknessMm;
+  float toLight;  // along z; the camera is on the side of +z
+  std::array<double, 3> exitance;
+};
+
+class AbsorbingSheetTest : public LargeSurfaceTest,
+                           public testing::WithParamInterface<SheetCase> {};
+
+// A third of a mean free path is less than the edge of a cluster. Expected is what discrete
+// ordinates between smooth boundaries give (class Slab of tools/exit_law.py).
+TEST_P(AbsorbingSheetTest, IsEvenAndOfTheRightBrightness) {
+  const SheetCase& sheet = GetParam();
+  Scene scene = sceneOf(box({0, 0, 0}, {15, 15, sheet.thicknessMm / 2}, 60),
+                        *findMedium("gummy-red"), {0, 0, 58}, 20);
+  scene.lighting.directional = {{{0, 0, sheet.toLight}, {3, 3, 3}}};
+  RenderOptions options = ofPlates(8192);
+  options.bounces = 0;
   const std::vector<Image> images = render(scene, options, {Aov::Exitance, Aov::Position});
-  for (std::size_t c = 0; c < 2; ++c) {  // too little blue gets through
-    double sum = 0;
-    double squares = 0;
-    int seen = 0;
-    forEachCovered(images[0], [&](std::size_t i) {
-      const std::vector<float>& place = images[1].rgba;
-      if (std::max(std::abs(place[i]), std::abs(place[i + 1])) > 44) return;
-      const auto value = static_cast<double>(images[0].rgba[i + c]);
-      sum += value;
-      squares += value * value;
-      ++seen;
-    });
-    ASSERT_GT(seen, 1000);
-    const double mean = sum / seen;
-    EXPECT_LT(std::sqrt(squares / seen - mean * mean) / mean, 0.05) << c;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Spread spread = spreadOf(images[0], images[1], c, 8);
+    EXPECT_NEAR(spread.mean, sheet.exitance[c], 0.055 * sheet.exitance[c]) << c;
+    EXPECT_LT(spread.rms, 0.02) << c;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    LitFrom, AbsorbingSheetTest,
+    testing::Values(SheetCase{"BehindThin", 0.5F, -1, {0.3799, 0.2186, 0.2049}},
+                    SheetCase{"InFrontThin", 0.5F, 1, {0.3816, 0.2200, 0.2063}},
+                    SheetCase{"BehindThick", 2, -1, {0.9668, 0.4397, 0.3914}},
+                    SheetCase{"InFrontThick", 2, 1, {1.0370, 0.4906, 0.4435}}),
+    [](const auto& sheet) { return std::string(sheet.param.name); });
 
 }  // namespace
 }  // namespace opaline

@@ -41,21 +41,31 @@ float fromPlace(vec3 place, vec3 arrival, float extinction, float smoothing, uin
   return light * phaseOverEven(dot(direction, arrival), medium.collision.w);
 }
 
-// For light that entered through a disc of that radius, smoothed over both discs: on the other side
-// of a thin part it lies just below clusters that are no nearer to each other.
-vec3 fromPlaces(BeamPoint point, vec3 arrival, float radiusMm, uint target) {
-  float radius = targetNormals[target].w;
-  float smoothing = 0.5 * (radius * radius + radiusMm * radiusMm);
+vec3 fromPlaces(BeamPoint point, vec3 arrival, float smoothing, uint target) {
   vec3 extinction = way.extinction;
   return vec3(fromPlace(point.red.xyz, arrival, extinction.r, smoothing, target),
               fromPlace(point.green.xyz, arrival, extinction.g, smoothing, target),
               fromPlace(point.blue.xyz, arrival, extinction.b, smoothing, target));
 }
 
+// s for light that entered through a disc with that normal and, in w, radius, over ρ_i² + ρ_j². Light leaves only from
+// within a cone. What lies just below a cluster on the same side is in its own disc. What comes through a thin part lies
+// in all discs of the other side that the cone meets, and with less smoothing it would be one or two of them by chance.
+const float smoothingOfSame = 0.25;
+const float smoothingOfOther = 1.5;
+const float cosineOfSame = -0.5;  // between the normals, at least
+const float cosineOfOther = -0.9;
+
+float smoothingBetween(vec4 normal, uint target) {
+  vec4 its = targetNormals[target];
+  float other = smoothstep(-cosineOfSame, -cosineOfOther, -dot(normal.xyz, its.xyz));
+  return mix(smoothingOfSame, smoothingOfOther, other) * (normal.w * normal.w + its.w * its.w);
+}
+
 void addNodeOf(BeamNode node, vec3 power) {
   BeamPoint middle = BeamPoint(node.redPower, node.greenLink, node.bluePower);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    tileLight[t] += power * fromPlaces(middle, node.across.xyz, 0.0, t);
+    tileLight[t] += power * fromPlaces(middle, node.across.xyz, smoothingBetween(vec4(0.0), t), t);
 }
 
 // Adds points for that power.
@@ -64,12 +74,14 @@ void addPoints(uint cluster, vec3 strength) {
   uint count = unpackPointCounts(strengthOf(beam).w).x;
   Cluster from = clusters[cluster];
   vec3 power = strength * from.second.rgb;
+  float smoothings[maxClustersOfTile];
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) smoothings[t] = smoothingBetween(from.normal, t);
   for (uint p = 0u; p < count; ++p) {
     BeamPoint point = readPoint(beam, p);
     uint without = p < pointsOfFirstSegment ? cluster - tile.firstCluster : noNode;
     vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(beam, p);
     [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-      vec3 leaves = power * shareOf(point) * fromPlaces(point, arrival, from.normal.w, t);
+      vec3 leaves = power * shareOf(point) * fromPlaces(point, arrival, smoothings[t], t);
       if (t != without) tileLight[t] += leaves;
     }
   }
