@@ -32,6 +32,12 @@ struct Box {
     return true;
   }
 
+  bool contains(const Vector& place) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!(low[axis] <= place[axis] && place[axis] <= high[axis])) return false;
+    return true;
+  }
+
   double diagonal() const { return lengthOf(difference(high, low)); }
 };
 

@@ -127,9 +127,10 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
   return items;
 }
 
-// Removes pieces inside the solids that line a body, but never all of an object.
-void uncover(const core::RestSurface& surface, const Linings& linings, std::size_t objects,
-             std::vector<Piece>& pieces) {
+// Removes pieces inside the solids that line a body or inside other parts of it, but never all of
+// an object.
+void uncover(const core::RestSurface& surface, const Linings& linings, const Overlaps& overlaps,
+             std::size_t objects, std::vector<Piece>& pieces) {
   std::vector<bool> covered(pieces.size(), false);
   std::vector<std::size_t> left(objects, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -137,7 +138,9 @@ void uncover(const core::RestSurface& surface, const Linings& linings, std::size
     const double length = lengthOf(normal);
     for (double& axis : normal) axis /= std::max(length, std::numeric_limits<double>::min());
     const std::uint32_t object = surface.objectOfTriangle[pieces[i].triangle];
-    covered[i] = linings.isCovered(object, vectorOf(middleOfMm(surface, pieces[i])), normal);
+    const Vector middle = vectorOf(middleOfMm(surface, pieces[i]));
+    covered[i] = linings.isCovered(object, middle, normal) ||
+                 overlaps.isWithin(pieces[i].triangle, middle, normal);
     if (!covered[i]) ++left[object];
   }
   std::size_t kept = 0;
@@ -215,7 +218,7 @@ void takeLists(std::span<const std::uint32_t> firstOfList, std::size_t objects,
 
 SurfelDivision makeSurfels(const core::RestSurface& surface,
                            std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
-                           const Linings& linings) {
+                           const Linings& linings, const Overlaps& overlaps) {
   const std::size_t objects = wantedSpacingMm.size();
   const core::RestSurface outer = withoutLinings(surface, linings);
   const std::size_t lining = linings.pieces().size();
@@ -234,7 +237,7 @@ SurfelDivision makeSurfels(const core::RestSurface& surface,
   const std::size_t pieces = full * surfels.piecesPerSurfel;
   Cut made = cut(outer, wantedSpacingMm,
                  std::max(pieces - std::min(lining, pieces), outer.triangles.size()));
-  if (linings.any()) uncover(outer, linings, objects, made.pieces);
+  if (linings.any() || overlaps.any()) uncover(outer, linings, overlaps, objects, made.pieces);
   made.pieces.insert(made.pieces.end(), linings.pieces().begin(), linings.pieces().end());
   surfels.spacingOfObjectMm = std::move(made.spacingOfObjectMm);
   std::vector<std::vector<TreeItem>> items =

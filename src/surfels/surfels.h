@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "surfels/linings.h"
+#include "surfels/overlaps.h"
 #include "surfels/subdivision.h"
 #include "surfels/tree.h"
 
@@ -35,9 +36,10 @@ struct SurfelDivision {
 
 /// Divides the surface as finely as wanted, by a spacing for each object, mm (spacingOfMm), or as
 /// `maxSurfels` allows. Objects that want the fewest surfels get all of them; the rest is shared
-/// evenly. The surface contains the linings, whose pieces are not divided further.
+/// evenly. The surface contains the linings, whose pieces are not divided further. What lies within
+/// overlaps has no surfels.
 SurfelDivision makeSurfels(const core::RestSurface& surface,
                            std::span<const double> wantedSpacingMm, std::size_t maxSurfels,
-                           const Linings& linings = {});
+                           const Linings& linings = {}, const Overlaps& overlaps = {});
 
 }  // namespace opaline::surfels

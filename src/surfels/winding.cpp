@@ -112,9 +112,7 @@ double WindingNumber::at(const Vector& placeMm) const {
 }
 
 bool WindingNumber::isInside(const Vector& placeMm) const {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!(placeMm[axis] > box_.low[axis] && placeMm[axis] < box_.high[axis])) return false;
-  return at(placeMm) > 0.5;
+  return box_.contains(placeMm) && at(placeMm) > 0.5;
 }
 
 }  // namespace opaline::surfels

@@ -22,7 +22,7 @@ scene::MergedMesh ball() {
   return merged;
 }
 
-const surfels::Linings noLinings;
+const Within nothingWithin;
 
 DivisionOrder orderOf(int number) {
   return {.spacingOfBodyMm = {1 + 0.2 * number},
@@ -41,7 +41,7 @@ TEST(BackgroundDivider, GivesThePatientWhatWasWantedLast) {
   const scene::MergedMesh merged = ball();
   BackgroundDivider divider;
   for (int i = 0; i < 20; ++i) {
-    divider.want(orderOf(i), merged, noLinings);
+    divider.want(orderOf(i), merged, nothingWithin);
     if (const auto early = divider.take(false)) expectSame(*early, divide(merged, early->order));
   }
   const std::optional<Division> last = divider.take(true);
@@ -54,8 +54,8 @@ TEST(BackgroundDivider, ForgetsASurfaceBeforeItGoes) {
   BackgroundDivider divider;
   for (int i = 0; i < 10; ++i) {
     const scene::MergedMesh merged = ball();
-    divider.want(orderOf(i), merged, noLinings);
-    divider.want(orderOf(i + 1), merged, noLinings);
+    divider.want(orderOf(i), merged, nothingWithin);
+    divider.want(orderOf(i + 1), merged, nothingWithin);
     divider.forget();
     EXPECT_FALSE(divider.take(true));
   }

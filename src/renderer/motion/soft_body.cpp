@@ -53,9 +53,11 @@ class SoftBody::Implementation {
     return restMm;
   }
 
+  // The body's cage bends the space that it fills, so its parts stay together.
   void replacePositions() {
     context_.edited.replacePositions(
-        object_, DevicePositions{.buffer = motion_.state().positions.handle(), .live = false});
+        object_, DevicePositions{.buffer = motion_.state().positions.handle(), .live = false},
+        false);
   }
 
   RendererContext& context_;

@@ -5,9 +5,9 @@
 namespace opaline {
 
 void BackgroundDivider::want(const DivisionOrder& order, const scene::MergedMesh& merged,
-                             const surfels::Linings& linings) {
+                             const Within& within) {
   merged_ = &merged;
-  linings_ = &linings;
+  within_ = &within;
   const bool there = next_ ? *next_ == order : future_.valid() && present_ == order;
   if (there) return;
   next_ = order;
@@ -17,10 +17,9 @@ void BackgroundDivider::want(const DivisionOrder& order, const scene::MergedMesh
 void BackgroundDivider::start() {
   present_ = *next_;
   next_.reset();
-  future_ =
-      std::async(std::launch::async, [merged = merged_, linings = linings_, order = present_] {
-        return divide(*merged, order, *linings);
-      });
+  future_ = std::async(std::launch::async, [merged = merged_, within = within_, order = present_] {
+    return divide(*merged, order, *within);
+  });
 }
 
 std::optional<Division> BackgroundDivider::take(bool patient) {

@@ -11,9 +11,8 @@ namespace opaline {
 /// only the last is carried out next.
 class BackgroundDivider {
  public:
-  /// `merged` and its linings stay as they are until forget().
-  void want(const DivisionOrder& order, const scene::MergedMesh& merged,
-            const surfels::Linings& linings);
+  /// `merged` and what is within its bodies stay as they are until forget().
+  void want(const DivisionOrder& order, const scene::MergedMesh& merged, const Within& within);
   /// The division that is ready by now, if any; with `patient`, waits for the last order.
   std::optional<Division> take(bool patient);
   /// Waits for the current order and drops its result.
@@ -23,7 +22,7 @@ class BackgroundDivider {
   void start();
 
   const scene::MergedMesh* merged_ = nullptr;
-  const surfels::Linings* linings_ = nullptr;
+  const Within* within_ = nullptr;
   std::optional<DivisionOrder> next_;  // not begun yet
   DivisionOrder present_;              // being carried out
   std::future<Division> future_;

@@ -111,11 +111,11 @@ DivisionOrder divisionFor(const Scene& scene, const scene::MergedMesh& merged,
   return order;
 }
 
-Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
-                const surfels::Linings& linings) {
-  const core::RestSurface surface = linings.lined(scene::bodiesOf(merged));
+Division divide(const scene::MergedMesh& merged, const DivisionOrder& order, const Within& within) {
+  const core::RestSurface surface = within.linings.lined(scene::bodiesOf(merged));
   Division made{order,
-                surfels::makeSurfels(surface, order.spacingOfBodyMm, order.maxSurfels, linings),
+                surfels::makeSurfels(surface, order.spacingOfBodyMm, order.maxSurfels,
+                                     within.linings, within.overlaps),
                 std::nullopt};
   if (order.maxClusters > 0)
     made.clusters =

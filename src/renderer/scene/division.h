@@ -11,7 +11,6 @@
 #include "renderer/scene/insides.h"
 #include "scene/mesh/merged_mesh.h"
 #include "surfels/clusters.h"
-#include "surfels/linings.h"
 #include "surfels/surfels.h"
 
 namespace opaline {
@@ -41,7 +40,7 @@ struct Division {
 
 /// May be called from any thread. Takes tenths of a second for 100,000 triangles.
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order,
-                const surfels::Linings& linings = {});
+                const Within& within = {});
 
 /// Logs how far the budgets of surfels and clusters fall short, and whether larger ones would help.
 void noteCoarseness(const Division& division, const DeviceRoom& room, const LogCallback& log);

@@ -41,6 +41,7 @@ void keepAlike(const std::vector<Light>& now, const std::vector<Light>& before,
 void EditedScene::set(gpu::Device& device, const Scene& scene) {
   ++number_;
   time_ = {};
+  withMovingParts_.clear();
   motion_.reset();
   scene_.reset();  // freed before memory for the next is allocated
   scene_ = scene;
@@ -182,6 +183,7 @@ void EditedScene::setDeformers(const std::vector<Deformer>& deformers) {
 
 void EditedScene::restorePositions(std::size_t object) {
   motion().given().restore(object);
+  withMovingParts_.erase(object);
   ++changes_.pose;
 }
 

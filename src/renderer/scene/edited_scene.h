@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "environment/suns.h"
@@ -54,12 +55,19 @@ class EditedScene {
   void setMedium(std::size_t object, const Medium& medium);
   void setMaterial(std::size_t object, const Material& material);
   void setDeformers(const std::vector<Deformer>& deformers);
+  /// `partsMove`: they may move parts of the object apart.
   template <typename Positions>
-  void replacePositions(std::size_t object, const Positions& positions) {
+  void replacePositions(std::size_t object, const Positions& positions, bool partsMove = true) {
     motion().given().give(object, positions, motion().tables());
+    if (partsMove)
+      withMovingParts_.insert(object);
+    else
+      withMovingParts_.erase(object);
     ++changes_.pose;
   }
   void restorePositions(std::size_t object);
+  /// Whether any given positions may have moved parts of an object apart.
+  bool partsMove() const { return !withMovingParts_.empty(); }
 
   /// Throws UsageError for a clip that the scene does not have.
   void setTime(const SceneTime& time);
@@ -95,6 +103,7 @@ class EditedScene {
   std::optional<SceneMotion> motion_;
   SceneChanges changes_;
   SceneTime time_;
+  std::set<std::size_t> withMovingParts_;  // objects
 };
 
 }  // namespace opaline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -52,6 +53,12 @@ surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasI
   return isSheet ? Substance::Sheet : Substance::Solid;
 }
 
+// Whether clips may move parts of an object apart. Deformers move all of space.
+bool clipsBend(const Scene& scene, std::size_t object) {
+  const std::optional<Rig>& rig = scene.objects[object].rig;
+  return !scene.clips.empty() && rig && !(rig->joints.empty() && rig->targets.empty());
+}
+
 // For every object's triangles, whether they have an inside.
 std::vector<std::vector<bool>> insideOf(const Scene& scene, const scene::MergedMesh& merged) {
   std::vector<std::vector<bool>> inside = scene::insideOfObjects(scene, merged.bodyOfObject);
@@ -88,19 +95,26 @@ Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const L
   return insides;
 }
 
-surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged,
-                             const Insides& insides, const LogCallback& log) {
+Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
+                  bool partsMove, const LogCallback& log) {
   std::vector<surfels::Substance> substances;
   substances.reserve(merged.triangles.size());
   for (std::size_t t = 0; t < merged.triangles.size(); ++t)
     substances.push_back(
         substanceOf(scene, merged.objectOfTriangle[t], insides.triangleHasInside[t]));
-  surfels::Linings linings(scene::bodiesOf(merged), substances);
+  std::vector<bool> boundsMedium;
+  boundsMedium.reserve(substances.size());
+  for (std::size_t t = 0; t < substances.size(); ++t)
+    boundsMedium.push_back(substances[t] == surfels::Substance::Medium &&
+                           !clipsBend(scene, merged.objectOfTriangle[t]));
+  Within within{{scene::bodiesOf(merged), substances}, {scene::bodiesOf(merged), boundsMedium}};
+  within.overlapAtRest = within.overlaps.any();
+  if (partsMove) within.overlaps = {};
   std::vector<std::string_view> sheets;
-  for (const std::uint32_t body : linings.sheetsInside())
+  for (const std::uint32_t body : within.linings.sheetsInside())
     sheets.emplace_back(scene.objects[merged.firstObjectOfBody[body]].name);
   noteSheetsInside(sheets, log);
-  return linings;
+  return within;
 }
 
 }  // namespace opaline

@@ -6,6 +6,7 @@
 #include "opaline/scene.h"
 #include "scene/mesh/merged_mesh.h"
 #include "surfels/linings.h"
+#include "surfels/overlaps.h"
 
 namespace opaline {
 
@@ -19,9 +20,16 @@ struct Insides {
 /// Finds insides and logs which translucent objects are open.
 Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const LogCallback& log);
 
-/// Finds the surfaces of opaque things in translucent ones. Logs things that lie in one but cannot
-/// end its light.
-surfels::Linings findLinings(const Scene& scene, const scene::MergedMesh& merged,
-                             const Insides& insides, const LogCallback& log);
+/// What lies within translucent bodies; only known if there are clusters.
+struct Within {
+  surfels::Linings linings;    ///< surfaces of opaque things
+  surfels::Overlaps overlaps;  ///< other parts of the same body, if parts do not move
+  bool overlapAtRest = false;  ///< some parts would if they did not move
+};
+
+/// Finds it. Logs things that lie in a body but cannot end its light. Parts that may move apart
+/// have no overlaps: those that clips bend, and all if `partsMove`.
+Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
+                  bool partsMove, const LogCallback& log);
 
 }  // namespace opaline

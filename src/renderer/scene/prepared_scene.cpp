@@ -14,7 +14,8 @@ PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback lo
 void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
                             EditedScene& scene) {
   const Lighting& lighting = scene.lighting();
-  const SceneNeeds needs = needsOf(options, plan, lighting);
+  SceneNeeds needs = needsOf(options, plan, lighting);
+  needs.partsMove = scene.partsMove() && (!resources_ || resources_->within.overlapAtRest);
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
   else
@@ -82,7 +83,7 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   }
   media_ = scene.changes().media;
   if (!isProvisional()) return;
-  divider_.want(wanted_, scene.merged(), resources_->linings);
+  divider_.want(wanted_, scene.merged(), resources_->within);
   const std::optional<Division> division = divider_.take(patient);
   if (!division || !(division->order == wanted_)) return;
   takeDivision(device_, *division, *resources_);

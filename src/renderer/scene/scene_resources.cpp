@@ -205,7 +205,7 @@ passes::BodyKinds kindsOf(const SceneResources& resources) {
   kinds.triangleHasInside = resources.insides.triangleHasInside;
   for (std::size_t i = 0; i < resources.objects; ++i)
     kinds.objectIsOpaque.push_back(resources.isOpaque(i));
-  if (resources.linings.any()) kinds.firstLining = resources.linings.firstTriangle();
+  if (resources.within.linings.any()) kinds.firstLining = resources.within.linings.firstTriangle();
   return kinds;
 }
 
@@ -323,10 +323,10 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   makeMesh(device, scene, resources);
   if (needs.maxClusters) {
     resources.insides = findInsides(scene, merged, log);
-    resources.linings = findLinings(scene, merged, resources.insides, log);
+    resources.within = findWithin(scene, merged, resources.insides, needs.partsMove, log);
   }
   if (needs.maxSurfels) {
-    const Division division = divide(merged, orderFor(device, scene, resources), resources.linings);
+    const Division division = divide(merged, orderFor(device, scene, resources), resources.within);
     noteCoarseness(division, roomOf(device.limits()), log);
     takeDivision(device, division, resources);
   }
@@ -362,7 +362,7 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
   const scene::MergedMesh& merged = *resources.merged;
-  const core::RestSurface bodies = resources.linings.lined(scene::bodiesOf(merged));
+  const core::RestSurface bodies = resources.within.linings.lined(scene::bodiesOf(merged));
   const std::vector<std::uint32_t> objects = objectsOfTriangles(bodies, merged);
   const core::RestSurface surface{bodies.positionsMm, bodies.triangles, objects};
   resources.divided = division.order;
@@ -385,7 +385,7 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
     object.liningEndNode = made.tree.rootOfObject[body + 1];
   }
   resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources),
-                                                      resources.linings);
+                                                      resources.within.linings);
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
   if (division.clusters || resources.needs.rays)

@@ -26,6 +26,7 @@ struct SceneNeeds {
   std::optional<int> maxSurfels;   ///< surfels and their tree
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
   bool rays = false;               ///< without clusters; needs surfels
+  bool partsMove = false;          ///< the caller gives positions, so no parts overlap for good
 
   bool operator==(const SceneNeeds&) const = default;
 };
@@ -85,7 +86,7 @@ struct SceneResources {
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
   Insides insides;  ///< this and the next only if clusters are needed
-  surfels::Linings linings;
+  Within within;
   std::vector<bool> letsLightThrough;    ///< by object, in some clip
   DivisionOrder divided;                 ///< what the surfels were made for
   std::optional<paper::FlatScene> flat;  ///< none until the paper's map is needed
