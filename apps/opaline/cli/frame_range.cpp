@@ -27,14 +27,14 @@ FrameRange readFrames(const Given& given) {
                     given.option, given.text));
   }
   FrameRange frames;
-  frames.first = readInteger({given.option, std::string(ends[0])}, 0, lastFrame);
-  frames.last = readInteger({given.option, std::string(ends[1])}, 0, lastFrame);
+  frames.first = readInteger({given.option, std::string(ends[0]), given.text}, 0, lastFrame);
+  frames.last = readInteger({given.option, std::string(ends[1]), given.text}, 0, lastFrame);
   if (frames.first > frames.last) {
     throw UsageError(
         fmt::format("{} {}: the last frame comes before the first", given.option, given.text));
   }
   if (ends.size() == 3) {
-    frames.step = readInteger({given.option, std::string(ends[2])}, 1, lastFrame);
+    frames.step = readInteger({given.option, std::string(ends[2]), given.text}, 1, lastFrame);
     frames.last -= (frames.last - frames.first) % frames.step;
   }
   return frames;
@@ -47,8 +47,8 @@ Chunk readChunk(const Given& given) {
                                  given.option, given.text));
   }
   Chunk chunk;
-  chunk.count = readInteger({given.option, std::string(parts[1])}, 1, lastFrame);
-  chunk.number = readInteger({given.option, std::string(parts[0])}, 1, chunk.count);
+  chunk.count = readInteger({given.option, std::string(parts[1]), given.text}, 1, lastFrame);
+  chunk.number = readInteger({given.option, std::string(parts[0]), given.text}, 1, chunk.count);
   return chunk;
 }
 

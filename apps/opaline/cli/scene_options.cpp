@@ -103,8 +103,8 @@ SpotLight readSpot(const Given& given) {
                                    given.text));
     }
     const auto degrees = [&](const std::string& text, std::string_view key) {
-      return static_cast<float>(
-          readNumber({given.option, text}, options::fieldOf<SpotLight>(key).allowed.range));
+      return static_cast<float>(readNumber({given.option, text, given.text},
+                                           options::fieldOf<SpotLight>(key).allowed.range));
     };
     light.innerDegrees = degrees(angles.substr(0, comma), "inner_degrees");
     light.outerDegrees = degrees(angles.substr(comma + 1), "outer_degrees");
