@@ -365,6 +365,11 @@ void CameraOptions::applyTo(Scene& scene) const {
   if (!(distanceToTargetMm(camera) > 0)) {
     throw UsageError("--camera-position and --camera-target are the same place");
   }
+  if (chosen_.has("fov_degrees") && camera.orthographicHeightMm) {
+    throw UsageError(
+        "--fov-degrees is of a pinhole camera; the lines of sight of this scene's camera are "
+        "parallel, and [camera] orthographic_height_mm says how much it sees");
+  }
   chosen_.applyTo(camera);
   scene.cameraChosen = scene.cameraChosen || place.positionMm || place.targetMm || !chosen_.empty();
 }

@@ -46,6 +46,10 @@ void readCamera(const TomlTable& root, const Vec3& centreMm, const LogCallback& 
   }
   const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);
   chosen.applyTo(camera);
+  if (chosen.has("fov_degrees") && camera.orthographicHeightMm)
+    note(log,
+         "'fov_degrees' in [camera] is not used, because the camera's lines of sight are parallel; "
+         "'orthographic_height_mm' says how much it sees");
   scene.camera = camera;
   for (ClipChanges& changes : scene.changes) changes.cameras.clear();
   scene.cameraChosen = scene.cameraChosen || place.positionMm || place.targetMm || !chosen.empty();

@@ -319,7 +319,9 @@ void addCamera(const SceneDescription& scene, Text& to) {
   to.raw("position_mm", toml_text::offset(camera.positionMm, scene.centreMm, "position_mm"));
   to.raw("target_mm", toml_text::offset(camera.targetMm, scene.centreMm, "target_mm"));
   to.list("up", camera.up);
-  to.fields(options::chosenIn(camera));
+  options::Chosen<Camera> chosen = options::chosenIn(camera);
+  if (camera.orthographicHeightMm) chosen.erase("fov_degrees");  // unused
+  to.fields(chosen);
 }
 
 void addGround(const SceneDescription& scene, Text& to) {

@@ -390,6 +390,25 @@ TEST_F(Toml, AnUpAlongTheViewIsNoted) {
   }
 }
 
+TEST_F(Toml, AFieldOfViewOfParallelLinesOfSightIsNoted) {
+  std::vector<std::string> notes;
+  LoadOptions options;
+  options.diagonalMm = 50;
+  options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
+  const std::string camera = "model = 'cube.ply'\n[camera]\n";
+  const LoadedScene parallel = load(camera + "orthographic_height_mm = 40\n", options);
+  load(camera + "fov_degrees = 45\n", options);
+  EXPECT_THAT(notes, testing::IsEmpty());
+  load(camera + "orthographic_height_mm = 40\nfov_degrees = 45\n", options);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("'fov_degrees' in [camera] is not used")));
+  notes.clear();
+  // What is written of such a camera draws no note.
+  const std::filesystem::path file = folder / "written.toml";
+  writeScene({file, Existing::Replace}, describe(parallel.scene, parallel.source, {}));
+  EXPECT_EQ(loadSceneFile(file, options).scene.camera, parallel.scene.camera);
+  EXPECT_THAT(notes, testing::IsEmpty());
+}
+
 TEST_F(Toml, AMissingModelIsNamed) {
   EXPECT_THAT(test::messageOf([&] { load("model = 'none.obj'\n"); }), HasSubstr("none.obj"));
 }

@@ -234,6 +234,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.scene.objects[2].opaque.reset();
   loaded.scene.objects[1].paint.reset();
   loaded.source.materialOfObject.clear();
+  loaded.scene.camera.orthographicHeightMm.reset();
   collect(toml::parse(written(loaded)), "", found);
   ModelSource& model = loaded.source.models.front();
   model.placement = loaded.source.placements[names[0]];
