@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -101,6 +102,10 @@ OPALINE_API LoadedScene loadSceneFile(const std::filesystem::path& file,
 /// numbered meshes, a morph.
 OPALINE_API LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                                        const LoadOptions& options = {});
+
+/// The media under [media] in a .toml scene, by name; none for any other file. Throws Error like
+/// loadSceneFile().
+OPALINE_API std::map<std::string, Medium, std::less<>> mediaOf(const std::filesystem::path& file);
 
 /// The source of a scene that is loaded from a model's file with these options, or is built in.
 OPALINE_API SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options);

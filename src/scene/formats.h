@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "opaline/log.h"
 #include "scene/raw_scene.h"
@@ -35,6 +36,9 @@ RawScene loadGltf(const Input& input);
 /// Picks the loader by magic number or by extension. A .toml scene is not accepted.
 RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
                    const ModelOptions& options = {});
+
+/// The extension of a file's name in lower case, with its dot.
+std::string lowerExtension(const std::filesystem::path& file);
 
 void note(const LogCallback& log, std::string_view message);
 

@@ -21,16 +21,16 @@ namespace opaline {
 
 namespace scene {
 
-namespace {
-
-enum class Format { Ply, Obj, Gltf, Unknown };
-
 std::string lowerExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
+
+namespace {
+
+enum class Format { Ply, Obj, Gltf, Unknown };
 
 Format formatOf(const std::filesystem::path& file, std::string_view start) {
   if (start.starts_with("glTF")) return Format::Gltf;

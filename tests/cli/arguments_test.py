@@ -2,7 +2,7 @@
 
 import unittest
 
-from program import COMMANDS, ProgramTest
+from program import COMMANDS, CUBE_OBJ, ProgramTest
 
 SCREEN_COLUMNS = 80
 SCREEN_LINES = 55
@@ -67,6 +67,37 @@ class Refusals(ProgramTest):
                      says="there is no medium 'xyzzyxyzzy'; opaline media lists all")
         self.refused(2, "render", "--medium", "wax@", says="--medium wax@: the name of an object is missing")
         self.refused(2, "render", "--medium", "wax@teapot", says="there is no object 'teapot'; there is only 'bear'")
+
+    def test_a_scene_files_own_media(self):
+        """They come before those of the tables, and an error names them too."""
+        self.write("cube.obj", CUBE_OBJ)
+        self.write("scene.toml", 'model = "cube.obj"\ndiagonal_mm = 20\nmedium = "wax"\n'
+                   '[media.jelly]\nsigma_s_per_mm = 3\nsigma_a_per_mm = 0.25\n'
+                   '[media.marble]\nmeasured = "ketchup"\n')
+
+        def scattering(scene, *arguments):
+            scene = self.succeed("info", scene, *arguments, "--json").json()
+            return scene["objects"][0]["medium"]["sigma_s_per_mm"]
+        for name in ("jelly", "jelly@cube"):
+            self.assertEqual(scattering("scene.toml", "--medium", name), {"r": 3, "g": 3, "b": 3})
+        ketchup, marble = (scattering("cube.obj", "--medium", name) for name in ("ketchup", "marble"))
+        self.assertEqual(scattering("scene.toml", "--medium", "marble"), ketchup)
+        self.assertEqual(scattering("scene.toml", "--medium", "Marble"), marble)
+        both = "the scene has jelly, marble, and opaline media lists all others"
+        for command in ("render", "view"):
+            self.refused(2, command, "scene.toml", "--medium", "jely",
+                         says=("--medium jely: there is no medium 'jely'; did you mean jelly?", both))
+        self.refused(2, "render", "scene.toml", "--medium", "xyzzyxyzzy@cube",
+                     says=f"there is no medium 'xyzzyxyzzy'; {both}")
+        self.refused(2, "render", "cube.obj", "--medium", "jelly", says="there is no medium 'jelly'")
+
+    def test_a_field_of_view_of_parallel_lines_of_sight(self):
+        self.write("scene.toml", 'model = "builtin:teapot"\n[camera]\northographic_height_mm = 40\n')
+        self.refused(2, "render", "scene.toml", "--fov-degrees", 40, says=("--fov-degrees", "orthographic_height_mm"))
+
+    def test_an_extension_in_any_case_is_a_scene_files(self):
+        self.write("scene.Toml", 'model = "builtin:teapot"\n')
+        self.assertEqual(self.succeed("info", "scene.Toml", "--json").json()["triangles"], 2256)
 
     def test_what_comes_later_is_no_option_yet(self):
         self.refused(2, "render", "--sum", "forest", says=("--sum forest", "pattern, tree, all"))

@@ -1,9 +1,10 @@
 #include "cli/medium_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "cli/fields.h"
@@ -14,27 +15,31 @@ namespace opaline::app {
 
 namespace {
 
-Medium namedMedium(const Given& given, std::string_view name) {
-  if (auto medium = findMedium(name)) return *medium;
+/// "there is no medium 'marbel'; did you mean marble? The scene has mine, and opaline media lists
+/// all others".
+std::string unknown(const std::string& name, const OwnMedia& own) {
   std::vector<std::string> names;
+  for (const auto& [key, medium] : own) names.push_back(key);
+  const std::string ofScene = fmt::format("{}", fmt::join(names, ", "));
   for (const auto& row : measuredMedia()) names.push_back(row.medium.name);
   for (const Medium& medium : artisticMedia()) names.push_back(medium.name);
-  throw UsageError(fmt::format("{} {}: there is no medium '{}'{}", given.option, given.text, name,
-                               suggestion(name, names, "opaline media")));
+  const std::string start = fmt::format("there is no medium '{}'", name);
+  if (own.empty()) return start + suggestion(name, names, "opaline media");
+  const std::string nearest = suggestion(name, names);
+  return fmt::format("{}{} the scene has {}, and opaline media lists all others", start,
+                     nearest.empty() ? ";" : nearest, ofScene);
 }
-
-constexpr const char* helpOnNames = "a name that opaline media lists";
 
 }  // namespace
 
 void MediumOptions::addTo(CommandLine& line) {
-  line.repeated("--medium", "NAME[@OBJECT]", helpOnNames,
+  line.repeated("--medium", "NAME[@OBJECT]", "of opaline media, or under [media] of the scene",
                 [this](const Given& given) { read(given); });
   addCoefficientsTo(line);
 }
 
 void MediumOptions::addWithoutObjectsTo(CommandLine& line) {
-  line.value("--medium", "NAME", helpOnNames, [this](const Given& given) {
+  line.value("--medium", "NAME", "a name that opaline media lists", [this](const Given& given) {
     if (const std::size_t at = given.text.find('@'); at != std::string::npos)
       throw UsageError(fmt::format("{} {}: there are no objects here; name the medium alone, {}",
                                    given.option, given.text, given.text.substr(0, at)));
@@ -51,33 +56,38 @@ void MediumOptions::addCoefficientsTo(CommandLine& line) {
 }
 
 void MediumOptions::read(const Given& given) {
-  const std::string_view text = given.text;
-  const std::size_t at = text.find('@');
-  const Medium medium = namedMedium(given, text.substr(0, at));
-  if (at != std::string_view::npos) {
-    if (at + 1 == text.size()) {
-      throw UsageError(fmt::format("{} {}: the name of an object is missing after the @",
-                                   given.option, given.text));
-    }
-    const std::string_view object = text.substr(at + 1);
-    for (const MediumOfObject& before : ofObjects_) {
-      if (before.object != object) continue;
-      throw UsageError(
-          fmt::format("{} {}: the medium of this object is given twice", given.option, text));
-    }
-    ofObjects_.push_back({std::string(object), medium});
+  const std::size_t at = given.text.find('@');
+  Named named{given, given.text.substr(0, at), {}};
+  const auto refuse = [&](const char* why) {
+    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, why));
+  };
+  if (at == std::string::npos) {
+    if (named_) refuse("the medium of all objects is given twice; NAME@OBJECT is that of one");
+    named_ = std::move(named);
     return;
   }
-  if (named_) {
-    throw UsageError(
-        fmt::format("{} {}: the medium of all objects is given twice; NAME@OBJECT is "
-                    "that of one",
-                    given.option, given.text));
-  }
-  named_ = medium;
+  named.object = given.text.substr(at + 1);
+  if (named.object.empty()) refuse("the name of an object is missing after the @");
+  if (std::any_of(ofObjects_.begin(), ofObjects_.end(),
+                  [&](const Named& before) { return before.object == named.object; }))
+    refuse("the medium of this object is given twice");
+  ofObjects_.push_back(std::move(named));
 }
 
-std::optional<Medium> MediumOptions::medium() const {
+Medium MediumOptions::found(const Named& named, const OwnMedia& own) {
+  if (const auto medium = own.find(named.medium); medium != own.end()) return medium->second;
+  if (auto medium = findMedium(named.medium)) return *medium;
+  throw UsageError(
+      fmt::format("{} {}: {}", named.given.option, named.given.text, unknown(named.medium, own)));
+}
+
+std::vector<MediumOfObject> MediumOptions::ofObjects(const OwnMedia& own) const {
+  std::vector<MediumOfObject> media;
+  for (const Named& named : ofObjects_) media.push_back({named.object, found(named, own)});
+  return media;
+}
+
+std::optional<Medium> MediumOptions::medium(const OwnMedia& own) const {
   const bool scatters = chosen_.has("sigma_s_per_mm");
   const bool absorbs = chosen_.has("sigma_a_per_mm");
   if (!scatters && !absorbs) {
@@ -87,8 +97,9 @@ std::optional<Medium> MediumOptions::medium() const {
     if (chosen_.has("g") && !named_) {
       throw UsageError("--g needs --medium NAME, or --sigma-s and --sigma-a, beside it");
     }
-    std::optional<Medium> medium = named_;
-    if (medium) chosen_.applyTo(*medium);
+    if (!named_) return std::nullopt;
+    Medium medium = found(*named_, own);
+    chosen_.applyTo(medium);
     return medium;
   }
   if (named_) throw UsageError("--medium and --sigma-s or --sigma-a exclude each other");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,9 @@
 
 namespace opaline::app {
 
+/// The media of a scene file, by name.
+using OwnMedia = std::map<std::string, Medium, std::less<>>;
+
 /// --medium, for all or for single objects, or else --sigma-s, --sigma-a and --eta; --g goes with
 /// either.
 class MediumOptions {
@@ -19,18 +24,29 @@ class MediumOptions {
   /// The same where there are no objects.
   void addWithoutObjectsTo(CommandLine& line);
   bool any() const { return named_ || !ofObjects_.empty() || !chosen_.empty(); }
-  /// The medium that was asked for; none when no such option was given. Throws UsageError for a
-  /// combination that describes no medium.
-  std::optional<Medium> medium() const;
-  /// The media of single objects.
-  const std::vector<MediumOfObject>& ofObjects() const { return ofObjects_; }
+  /// Whether a medium was asked for by its name.
+  bool names() const { return named_ || !ofObjects_.empty(); }
+  /// The medium that was asked for; none when no such option was given. A name is one of the
+  /// scene's own media, or else one of those that `opaline media` lists. Throws UsageError for a
+  /// name that is neither, and for a combination that describes no medium.
+  std::optional<Medium> medium(const OwnMedia& own = {}) const;
+  /// The media of single objects. Throws likewise.
+  std::vector<MediumOfObject> ofObjects(const OwnMedia& own) const;
 
  private:
+  /// NAME or NAME@OBJECT as it was typed.
+  struct Named {
+    Given given;
+    std::string medium;
+    std::string object;  ///< empty: all
+  };
+
   void read(const Given& given);
   void addCoefficientsTo(CommandLine& line);
+  static Medium found(const Named& named, const OwnMedia& own);
 
-  std::optional<Medium> named_;
-  std::vector<MediumOfObject> ofObjects_;
+  std::optional<Named> named_;
+  std::vector<Named> ofObjects_;
   options::Chosen<Medium> chosen_;
 };
 

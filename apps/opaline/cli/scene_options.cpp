@@ -215,6 +215,16 @@ std::string SceneOptions::name() const {
   return names ? names->common() : stem;
 }
 
+OwnMedia SceneOptions::ownMedia() const {
+  return medium_.names() && files_.size() == 1 ? mediaOf(files_.front()) : OwnMedia();
+}
+
+void SceneOptions::checkMedia() const {
+  const OwnMedia own = ownMedia();
+  static_cast<void>(medium_.medium(own));
+  static_cast<void>(medium_.ofObjects(own));
+}
+
 LoadedScene SceneOptions::load(const LogCallback& log) const {
   if (!files_.empty() && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
@@ -227,8 +237,9 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
   }
   LoadOptions options;
   options.diagonalMm = diagonalMm_;
-  options.medium = medium_.medium();
-  options.media = medium_.ofObjects();
+  const OwnMedia own = ownMedia();
+  options.medium = medium_.medium(own);
+  options.media = medium_.ofObjects(own);
   options.morphTo = morphTo_;
   options.log = log;
   chosen_.applyTo(options);

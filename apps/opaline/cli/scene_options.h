@@ -30,10 +30,15 @@ class SceneOptions {
   bool any() const;
   /// The first file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
+  /// Throws UsageError for the name of a medium that nobody knows, before the scene is loaded.
+  void checkMedia() const;
   /// Loads or makes the scene. Throws UsageError for an impossible combination of options.
   LoadedScene load(const LogCallback& log) const;
 
  private:
+  /// Those of a scene file; read only where an option names one.
+  OwnMedia ownMedia() const;
+
   std::vector<std::filesystem::path> files_;
   std::optional<std::string> builtIn_;
   std::optional<float> diagonalMm_;

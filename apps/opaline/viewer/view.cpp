@@ -126,6 +126,7 @@ void runView(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
   command.motion.check();
+  command.scene.checkMedia();
   command.device.limitHostMemory();
   returnLargeBlocks();
   static_cast<void>(command.options({}));  // reports errors before any window opens

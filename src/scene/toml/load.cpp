@@ -28,6 +28,7 @@
 #include "scene/toml/lights.h"
 #include "scene/toml/materials.h"
 #include "scene/toml/media.h"
+#include "scene/toml/parse.h"
 #include "scene/toml/paths.h"
 #include "scene/toml/placement.h"
 #include "scene/toml/reader.h"
@@ -56,35 +57,6 @@ struct Assembly {
   std::vector<NotShown> replaced{};  ///< what media do not show of the materials they replace
   std::optional<Ground> ground{};    ///< its height is relative to the centre
 };
-
-/// Refuses nesting that toml++ would follow by recursion.
-void requireShallow(const std::filesystem::path& file, std::string_view text) {
-  constexpr std::size_t deepest = 100;
-  std::size_t open = 0;
-  std::size_t dots = 0;
-  for (const char c : text) {
-    if (c == '[' || c == '{') ++open;
-    if ((c == ']' || c == '}') && open > 0) --open;
-    if (c == '\n') dots = 0;
-    if (c == '.') ++dots;
-    if (open > deepest || dots > 4 * deepest) {
-      throw Error(fmt::format("{}: it is nested too deep", cleanText(file.string(), 1000)));
-    }
-  }
-}
-
-toml::table parse(const std::filesystem::path& file) {
-  constexpr std::size_t longestToml = 4U << 20U;
-  const std::vector<std::byte> bytes = readFile(file, longestToml);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  requireShallow(file, text);
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    throw Error(fmt::format("{}, line {}: {}", cleanText(file.string(), 1000),
-                            error.source().begin.line, cleanText(error.description())));
-  }
-}
 
 RawScene fromBuiltIn(Scene&& built) {
   RawScene raw;
@@ -370,7 +342,7 @@ void addGround(Ground ground, double factor, Scene& scene) {
 
 LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
   requireSensible(options);
-  const toml::table parsed = parse(file);
+  const toml::table parsed = parseToml(file);
   const TomlTable root(file, parsed, "the scene");
   root.requireKeys(keys::root);
   LoadedScene loaded;
@@ -415,7 +387,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
 namespace opaline {
 
 LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options) {
-  if (file.extension() != ".toml" && file.extension() != ".TOML") {
+  if (scene::lowerExtension(file) != ".toml") {
     return {loadScene(file, options), {}, sourceOf(file, options)};
   }
   return scene::loadToml(file, options);

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include "opaline/media.h"
+#include "opaline/scene_file.h"
+#include "scene/formats.h"
 #include "scene/text.h"
 #include "scene/toml/keys.h"
+#include "scene/toml/parse.h"
 
 namespace opaline::scene {
 
@@ -43,3 +46,13 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
 }
 
 }  // namespace opaline::scene
+
+namespace opaline {
+
+std::map<std::string, Medium, std::less<>> mediaOf(const std::filesystem::path& file) {
+  if (scene::lowerExtension(file) != ".toml") return {};
+  const toml::table parsed = scene::parseToml(file);
+  return scene::readMedia({file, parsed, "the scene"});
+}
+
+}  // namespace opaline
