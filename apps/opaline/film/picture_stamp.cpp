@@ -50,20 +50,23 @@ Json readable(const PictureMakers& makers) {
                      {"g", object.medium.g}});
   }
   const RenderOptions& options = makers.options;
-  return {
-      {"program", "opaline " OPALINE_VERSION},   {"scene", makers.scene.name},
-      {"diagonal_mm", diagonalMm(makers.scene)}, {"media", std::move(media)},
-      {"size", {options.width, options.height}}, {"transport", options::nameOf(options.transport)},
-      {"sum", options::nameOf(options.sum)},     {"site", options::nameOf(options.site)}};
+  Json json{{"program", "opaline " OPALINE_VERSION},
+            {"scene", makers.scene.name},
+            {"diagonal_mm", diagonalMm(makers.scene)},
+            {"media", std::move(media)},
+            {"size", {options.width, options.height}}};
+  json.update(makers.method);
+  return json;
 }
 
 }  // namespace
 
 std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
                                                   const FrameRange& frames) {
-  const std::string ofAll = fmt::format(
-      "{}\nscene {:016x}\n{}clip {}\nvariable {}\n", OPALINE_VERSION, digestOf(makers.scene),
-      settingsText(makers.options, makers.tone), makers.clip, static_cast<int>(makers.aov));
+  const std::string ofAll =
+      fmt::format("{}\nscene {:016x}\n{}clip {}\nvariable {}\nmethod {}\n", OPALINE_VERSION,
+                  digestOf(makers.scene), settingsText(makers.options, makers.tone), makers.clip,
+                  static_cast<int>(makers.aov), makers.method.dump());
   return [ofAll, frames, json = readable(makers), sequence = makers.sequence](int frame) {
     std::string all = ofAll + fmt::format("seconds {}\n", frames.seconds(frame));
     if (sequence) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/json.h"
 #include "cli/motion_options.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
@@ -22,6 +23,7 @@ struct PictureMakers {
   Aov aov = Aov::Radiance;
   std::optional<ToneOptions> tone;               ///< none: linear, as in EXR
   std::shared_ptr<const MeshSequence> sequence;  ///< files that the frames show
+  Json method = Json::object();  ///< how the light is found, in words and numbers; stamps have it
 };
 
 /// The stamp of each frame. It says what made the frame, as JSON of printable ASCII, and has a

@@ -9,7 +9,6 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
-#include "cli/frame_names.h"
 #include "cli/json.h"
 #include "cli/motion_options.h"
 #include "cli/object_sizes.h"
@@ -19,9 +18,9 @@
 #include "cli/scene_options.h"
 #include "film/film.h"
 #include "film/film_output.h"
+#include "film/frames_asked_for.h"
 #include "film/framing.h"
 #include "film/kept_positions.h"
-#include "film/picture_stamp.h"
 #include "film/render_report.h"
 #include "film/sequence_frames.h"
 #include "opaline/error.h"
@@ -185,11 +184,7 @@ Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outpu
 
 Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder order,
                    const LogCallback& log) {
-  if (!job.sequence && !moves(job.scene, job.time.clip)) {
-    log(LogLevel::Note,
-        "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
-        "it move");
-  }
+  if (!job.sequence) noteStandstill(job.scene, job.time.clip, log);
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) order.place = placeBySequence(job.sequence, order.frames, job.kept);
   const auto [made, report] = renderFilm(renderer, order);
@@ -198,69 +193,53 @@ Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder
   return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
 }
 
+/// As pictures say it of themselves.
+Json methodOf(const RenderOptions& options) {
+  return {{"transport", options::nameOf(options.transport)},
+          {"sum", options::nameOf(options.sum)},
+          {"site", options::nameOf(options.site)}};
+}
+
 FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const FrameRange& frames) {
-  FilmOrder order;
-  order.frames = frames;
-  order.output = job.output;
-  order.aov = command.picture.aov();
-  order.options = job.options;
-  order.clip = job.time.clip;
-  order.tone = job.tone;
-  order.resume = command.resume;
-  order.quiet = command.quiet;
-  if (isFilm(job.output.path)) return order;
-  PictureMakers makers{job.scene, job.options, order.clip, order.aov, order.tone, job.sequence};
-  if (command.picture.isExr()) makers.tone.reset();
-  order.stamp = frameStamps(makers, frames);
+  FilmOrder order{.frames = frames,
+                  .output = job.output,
+                  .aov = command.picture.aov(),
+                  .options = job.options,
+                  .clip = job.time.clip,
+                  .tone = job.tone,
+                  .resume = command.resume,
+                  .quiet = command.quiet};
+  addStamps(job.scene, job.sequence, methodOf(job.options), order);
   return order;
 }
 
-/// A row is written to each frame's own file.
 void requireNoInput(const RenderCommand& command, const RenderJob& job) {
   std::vector<Output> outputs;
-  if (job.output.existing == Existing::Replace) {
-    const FrameRange range = command.motion.frames().value_or(FrameRange{});
-    for (int frame = range.first; frame <= range.last; frame += range.step) {
-      outputs.push_back({"-o", fileOf(job.output.path, frame)});
-    }
-  }
+  if (job.output.existing == Existing::Replace)
+    addOutputs("-o", job.output.path, command.motion.frames(), outputs);
   if (command.report) outputs.push_back({"--report", *command.report});
   requireNoInput(outputs, job.inputs);
 }
 
-/// There are more chunks than frames, so this one gets none.
 Done makeNothing(const RenderJob& job, const Chunk& chunk, const LogCallback& log) {
-  log(LogLevel::Note, fmt::format("chunk {} of {} has no frames", chunk.number, chunk.count));
-  Json report = emptyReportJson(job, {});
-  for (const char* unknown : {"frames", "frame_step", "fps"}) report[unknown] = nullptr;
-  return {std::move(report)};
+  noteEmptyChunk(chunk, log);
+  return {emptyReportJson(job, {})};
 }
 
 Done makeFrames(const RenderCommand& command, const RenderJob& job, const FrameRange& frames,
                 const LogCallback& log) {
   const FilmOrder order = filmOrder(command, job, frames);
-  const FramesThere there = countThere(order);
-  if (there.kept > 0) {
-    log(LogLevel::Note, fmt::format("{} of {} frames existed already", there.kept, frames.count()));
-  }
-  if (there.otherwiseMade > 0) {
-    log(LogLevel::Note,
-        fmt::format("{} of {} frames came from another scene or other options and are made again",
-                    there.otherwiseMade, frames.count()));
-  }
-  Done done = there.kept < frames.count() ? renderMissing(command, job, order, log)
-                                          : Done{emptyReportJson(job, outputsOf(order))};
-  done.report["frames"] = {frames.first, frames.last};
-  done.report["frame_step"] = frames.step;
-  done.report["fps"] = frames.perSecond;
-  return done;
+  return framesToMake(order, log) > 0 ? renderMissing(command, job, order, log)
+                                      : Done{emptyReportJson(job, outputsOf(order))};
 }
 
 Done make(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
   if (!command.motion.frames()) return makeStill(command, job, log);
   const std::optional<FrameRange> frames = command.motion.framesOfChunk();
-  return frames ? makeFrames(command, job, *frames, log)
-                : makeNothing(job, *command.motion.chunk(), log);
+  Done done = frames ? makeFrames(command, job, *frames, log)
+                     : makeNothing(job, *command.motion.chunk(), log);
+  addFrames(frames, done.report);
+  return done;
 }
 
 }  // namespace
@@ -277,12 +256,7 @@ void runRender(const Arguments& arguments) {
   const LogCallback log = noteTaker(command.quiet);
   const std::optional<FrameRange> frames = command.motion.frames();
   Target output = command.picture.target(command.scene.name(), frames);
-  if (frames) {
-    requireFilmWritable(output, *frames);
-  } else {
-    requireWritable(output);
-  }
-  if (command.report) requireWritable(*command.report);
+  requireOutputs(output, frames, command.report);
 
   RenderJob job = prepareRender(command, std::move(output), log);
   job.aimCamera(frames);  // the same in every chunk
