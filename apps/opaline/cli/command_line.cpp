@@ -169,6 +169,10 @@ void CommandLine::synonym(const std::string& former, const std::string& option) 
   synonyms_[former] = option;
 }
 
+void CommandLine::unavailable(const std::string& option, const std::string& why) {
+  unavailable_[option] = why;
+}
+
 void CommandLine::outputFlags(const std::string& what, bool& json, bool& quiet) {
   flag("--json", what + "; no notes", json);
   flag("--quiet", "", quiet);
@@ -286,6 +290,9 @@ void CommandLine::refuseLeftovers() const {
   for (const std::string& argument : rest) {
     if (argument.size() > 1 && argument[0] == '-') {
       const std::string option = argument.substr(0, argument.find('='));
+      const auto found = unavailable_.find(option);
+      if (found != unavailable_.end())
+        throw UsageError(fmt::format("{}: {}", option, found->second));
       throw UsageError(
           fmt::format("{} has no option {}{}", name_, option, suggestion(option, optionNames())));
     }

@@ -42,6 +42,9 @@ class CommandLine {
   void flag(const std::string& name, const std::string& help, std::function<void()> take);
   /// An older name of an option: accepted, absent from the help, and noted where it is used.
   void synonym(const std::string& former, const std::string& option);
+  /// An option of other commands that this one cannot have: absent from the help, and refused with
+  /// the reason.
+  void unavailable(const std::string& option, const std::string& why);
   /// --json and --quiet, which every command takes. `what` goes to standard output. --quiet drops
   /// notes and progress, but no warnings.
   void outputFlags(const std::string& what, bool& json, bool& quiet);
@@ -92,8 +95,9 @@ class CommandLine {
   std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
-  std::map<std::string, std::string> synonyms_;   ///< the option for each older name
-  std::map<std::string, std::string> standards_;  ///< the default for an option without a value
+  std::map<std::string, std::string> synonyms_;     ///< the option for each older name
+  std::map<std::string, std::string> unavailable_;  ///< the reason for each
+  std::map<std::string, std::string> standards_;    ///< the default for an option without a value
   std::vector<std::string> notes_;
   const bool* json_ = nullptr;
   const bool* quiet_ = nullptr;

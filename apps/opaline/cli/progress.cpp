@@ -30,8 +30,11 @@ std::string barText(double share, std::size_t columns) {
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet, std::string unit)
-    : total_(total), unit_(std::move(unit)), shown_(!quiet && statusColumns() > 0) {}
+Progress::Progress(std::size_t total, bool quiet, std::string unit, std::string before)
+    : total_(total),
+      unit_(std::move(unit)),
+      before_(std::move(before)),
+      shown_(!quiet && statusColumns() > 0) {}
 
 Progress::~Progress() {
   if (shown_) clearStatus();
@@ -50,7 +53,7 @@ void Progress::show(std::size_t done, std::size_t skipped) {
     right = fmt::format(" {:.3g} {}s/s, {} left", perSecond, unit_,
                         clockText(static_cast<double>(total_ - done) / perSecond));
   }
-  const std::string left = fmt::format("{} {}/{}", unit_, done, total_);
+  const std::string left = fmt::format("{}{} {}/{}", before_, unit_, done, total_);
   // One column stays free: writing the last one may make a terminal begin a new line.
   const std::size_t columns = std::max<std::size_t>(statusColumns(), 1) - 1;
   const std::size_t taken = left.size() + right.size();

@@ -9,8 +9,8 @@ namespace opaline::app {
 /// A progress bar on standard error, if that is a terminal. It disappears at the end.
 class Progress {
  public:
-  /// `unit` names in the singular what is counted.
-  Progress(std::size_t total, bool quiet, std::string unit = "frame");
+  /// `unit` names in the singular what is counted, and `before` stands before all else.
+  Progress(std::size_t total, bool quiet, std::string unit = "frame", std::string before = {});
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -23,6 +23,7 @@ class Progress {
 
   std::size_t total_;
   std::string unit_;
+  std::string before_;
   bool shown_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_;
