@@ -116,7 +116,7 @@ def made_cheap(words):
             words = with_value(words, "--antialias", "1")
         if "--chunk" in words:
             words = with_value(words, "--chunk", "1/1")
-    if "--frames" in words and command in ("render", "film"):
+    if "--frames" in words and command in ("render", "reference", "film"):
         words = with_value(words, "--frames", "0:1")
     if "--path" in words:
         words = with_value(words, "--seconds", "0.2")

@@ -39,7 +39,12 @@ class Keys(ProgramTest):
         view = (*SCENE, "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
         integral = keys(self.printed("reference", "--integral", *view, "--tolerance", 0.1))
         path = keys(self.printed("reference", "--path", "--samples", 1000, *SCENE, "--size", "8x8", "-o", "b.exr"))
-        self.expect("reference", integral | path)
+        film = keys(self.printed("reference", "--integral", *view[:-1], "a%d.exr", "--frames", "0:0", "--every", 4))
+        of_pictures = {key.removeprefix("pictures[].") for key in film if key.startswith("pictures[].")}
+        self.assertEqual(of_pictures - integral, {"frame"})
+        film = {key for key in film if not key.startswith("pictures[].")} | {"pictures[].frame"}
+        self.assertEqual(film - integral, {"frames", "frame_step", "fps", "pictures[].frame"})
+        self.expect("reference", integral | path | film)
 
     def test_compare(self):
         self.succeed("render", *SCENE, "--size", "16x16", "-o", "a.exr")

@@ -1,6 +1,7 @@
 """The reference: it shares options, pixels and variables with render, and refuses the rest."""
 
 import math
+import shutil
 import unittest
 
 from images import read_exr, read_png
@@ -195,6 +196,85 @@ class Paths(Reference):
                          (0, 0, 0, 1))
 
 
+class Films(Reference):
+    MOVING = ("--deform", "twist:0.5:2", "--camera-target", "0,0,0")
+    METHODS = (("--integral", "--tolerance", .1), ("--path", "--samples", 2000))
+
+    def film(self, *arguments):
+        return self.succeed("reference", *self.SCENE, *self.MOVING, *arguments)
+
+    def pixels(self, name):
+        return list(read_exr((self.folder / name).read_bytes()).pixels())
+
+    def test_each_frame_is_the_still_of_its_time(self):
+        for method in self.METHODS:
+            options = (*method, "--aov", "exitance", "--every", 2, "--region", "2,2,8,6")
+            self.film(*options, "--frames", "1:3:2", "--fps", 8, "-o", "f%02d.exr")
+            self.assertEqual(self.listing(), ["cube.obj", "f01.exr", "f03.exr"])
+            for frame in (1, 3):
+                self.film(*options, "--time", frame / 8, "-o", "still.exr")
+                self.assertEqual(self.pixels(f"f{frame:02}.exr"), self.pixels("still.exr"))
+            self.assertNotEqual(self.pixels("f01.exr"), self.pixels("f03.exr"))
+            for name in ("f01.exr", "f03.exr", "still.exr"):
+                (self.folder / name).unlink()
+
+    def test_a_row_of_files(self):
+        for number, shift in ((0, 0), (1, 1)):
+            self.write(f"row_{number}.obj", CUBE_OBJ.replace("v 0 0 1", f"v 0 0 {1 + shift / 10}"))
+        order = ("reference", "--integral", "row_%d.obj", *self.SCENE[1:], "--aov", "position", "--frames")
+        self.succeed(*order, "0:1", "-o", "f%d.exr")
+        self.assertNotEqual(self.pixels("f0.exr"), self.pixels("f1.exr"))
+        self.refused(2, *order, "0:2", says=("frame 2", "2 files"))
+
+    def test_what_exists_stays(self):
+        film = (*self.METHODS[1], "--aov", "exitance", "--frames", "0:2", "-o", "f%d.exr", "--resume")
+        self.film(*film)
+        before = [self.pixels(f"f{frame}.exr") for frame in range(3)]
+        (self.folder / "f1.exr").unlink()
+        run = self.film(*film, "--json")
+        self.assertIn("2 of 3 frames existed already", run.err)
+        self.assertEqual([self.pixels(f"f{frame}.exr") for frame in range(3)], before)
+        self.assertEqual([picture["frame"] for picture in run.json()["pictures"]], [1])
+        self.assertEqual(run.json()["outputs"], ["f0.exr", "f1.exr", "f2.exr"])
+        # Another number of particles, seed or part of the picture is another picture.
+        for change in (("--seed", 2), ("--bounces", 3), ("--every", 2), ("--region", "0,0,3,3")):
+            self.assertIn("3 of 3 frames came from another", self.film(*film, *change).err)
+        self.assertIn("are made again", self.film(*self.METHODS[0], *film[3:]).err)
+
+    def test_parts_of_a_film(self):
+        film = (*self.METHODS[1], "--aov", "exitance", "--frames", "0:2", "-o", "f%d.exr")
+        for part, frames in ((1, []), (2, [0]), (3, [1]), (4, [2])):
+            report = self.film(*film, "--chunk", f"{part}/4", "--json").json()
+            self.assertEqual([picture["frame"] for picture in report["pictures"]], frames)
+        self.assertEqual(self.listing(), ["cube.obj", "f0.exr", "f1.exr", "f2.exr"])
+
+    def test_a_checkpoint_for_each_frame(self):
+        film = ("--path", "--aov", "exitance", "--frames", "0:1", "-o", "f%d.exr")
+        self.film(*film, "--samples", 3000)
+        whole = [self.pixels(f"f{frame}.exr") for frame in range(2)]
+        self.film(*film, "--samples", 1000, "--checkpoint", "state%d")
+        self.assertEqual(self.listing(), ["cube.obj", "f0.exr", "f1.exr", "state0", "state1"])
+        self.film(*film, "--samples", 3000, "--checkpoint", "state%d")
+        self.assertEqual([self.pixels(f"f{frame}.exr") for frame in range(2)], whole)
+
+    def test_says_what_it_did(self):
+        run = self.film(*self.METHODS[0], "--frames", "2:4:2", "--fps", 12, "-o", "f%d.png", "--json", "--report", "r.json")
+        report = run.json()
+        self.assertEqual((self.folder / "r.json").read_text(), run.out)
+        self.assertEqual((report["frames"], report["frame_step"], report["fps"]), ([2, 4], 2, 12))
+        self.assertEqual([picture["frame"] for picture in report["pictures"]], [2, 4])
+        self.assertEqual((report["triangles"], report["pictures"][0]["tolerance"]), (12, .1))
+        self.assertIn("wrote 2 frames to f%d.png", run.err)
+        still = self.succeed("reference", *self.SCENE, *self.METHODS[0], "--frames", "0:0", "--every", 4)
+        self.assertIn("nothing in the scene moves", still.err)
+        self.assertIn("cube_0000.png", self.listing())
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_film(self):
+        self.film(*self.METHODS[1], "--frames", "0:1", "-o", "film.mp4")
+        self.assertEqual((self.folder / "film.mp4").read_bytes()[4:8], b"ftyp")
+
+
 class Refusals(Reference):
     def test_what_it_cannot_do(self):
         for arguments, says in [
@@ -207,7 +287,15 @@ class Refusals(Reference):
             (("--path", "--cone", "90"), "from 0.5 to 60 degrees"),
             (("--path", "--tolerance", ".1"), "belong to --integral"),
             (("--path", "--g", "1"), "from -0.99 to 0.99"),
-            (("--integral", "--frames", "0:3"), ("--frames",)),
+            (("--integral", "--device", "0"), "--device: the reference runs on the CPU"),
+            (("--path", "--device=llvmpipe"), "--device: the reference runs on the CPU"),
+            (("--integral", "--frames", "0:3", "--time", "1"), ("--frames", "--time")),
+            (("--integral", "--fps", "25"), ("--fps", "--frames")),
+            (("--integral", "--resume"), ("--resume", "--frames")),
+            (("--integral", "--frames", "0:3", "-o", "a.png"), ("a.png", "%04d")),
+            (("--integral", "--frames", "0:3:2", "-o", "a.mp4"), "numbered pictures"),
+            (("--path", "--frames", "0:3", "--checkpoint", "state"), ("--checkpoint state", "state_%04d")),
+            (("--path", "--checkpoint", "state_%d"), ("--checkpoint state_%d", "--frames")),
             (("--integral", "--roughness", ".3"), ("--roughness", "--no-specular")),
             (("--integral", "--aov", "dsm-area"), ("dsm-*", "render")),
             (("--integral", "--aov", "evaluations"), ("evaluations", "render")),
@@ -221,8 +309,8 @@ class Refusals(Reference):
             (("--path", "--samples", "1.5"), ("--samples 1.5", "whole number")),
             (("--path", "--checkpoint", "a/../b.exr", "-o", "b.exr"), ("--checkpoint", "picture would overwrite it")),
             (("--path", "--checkpoint", "b.json", "--report", "b.json"), ("--checkpoint", "report would overwrite it")),
-            (("--integral", "-o", "film.mp4"), ("film.mp4", ".png or .exr")),
-            (("--integral", "-o", "still_%d.png"), ("still_%d.png", "single still")),
+            (("--integral", "-o", "film.mp4"), ("film.mp4", "--frames")),
+            (("--integral", "-o", "still_%d.png"), ("still_%d.png", "--frames")),
             (("--integral", "--region", "0,0,13,1"), ("0,0,13,1", "12x10")),
             (("--integral", "--region", "0,0,0,1"), "0,0,0,1"),
             (("--integral", "--clip", "walk"), "no clips"),

@@ -142,17 +142,15 @@ ToneOptions LookOptions::tone(const SceneFileSettings& settings, const Scene& sc
   return found.tone;
 }
 
-void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
-  line.value("-o,--output", "FILE",
-             kinds.films ? ".png, .exr (linear), frame_%04d.png, film.mp4" : ".png, .exr (linear)",
-             [this, films = kinds.films](const Given& given) {
-               file_ = films ? readOutput(given, {".png", ".exr", ".mp4"})
-                             : readOutput(given, {".png", ".exr"});
+void PictureOptions::addTo(CommandLine& line, bool surfels) {
+  line.value("-o,--output", "FILE", ".png, .exr (linear), frame_%04d.png, film.mp4",
+             [this](const Given& given) {
+               file_ = readOutput(given, {".png", ".exr", ".mp4"});
              });
   addField(line, options::fieldOf<options::PictureSettings>("size"), chosen_);
   line.value("--aov", "NAME",
              fmt::format("EXR of radiance exitance irradiance position normal depth object{}",
-                         kinds.sourceMap ? " evaluations surfels[:N] dsm-*" : ""),
+                         surfels ? " evaluations surfels[:N] dsm-*" : ""),
              [this](const Given& given) { takeAov(given); });
   look_.addTo(line);
 }
@@ -192,13 +190,6 @@ std::optional<std::string> PictureOptions::noteOnExposure(const SceneFileSetting
   if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
   return fmt::format("exposure set to {:+} stops to suit the light; --exposure 0 keeps it at 0",
                      tone.exposureStops);
-}
-
-void PictureOptions::requireNameOfStill() const {
-  if (file_ && FrameNames::parse(file_->string())) {
-    throw UsageError(
-        fmt::format("-o {}: a single still needs a name without a number", file_->string()));
-  }
 }
 
 bool PictureOptions::isExr() const {

@@ -70,12 +70,8 @@ class LookOptions {
 /// Which picture is written, where, and how it looks.
 class PictureOptions {
  public:
-  /// What a command makes besides stills of the camera's view.
-  struct Kinds {
-    bool films = true;
-    bool sourceMap = true;
-  };
-  void addTo(CommandLine& line, const Kinds& kinds);
+  /// Without `surfels`, the command has neither these nor the diffusion source map.
+  void addTo(CommandLine& line, bool surfels = true);
   /// Throws UsageError for options that contradict each other.
   void applyTo(RenderOptions& options) const;
 
@@ -87,11 +83,8 @@ class PictureOptions {
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
   void requireNameFor(bool frames, bool resume, bool chunk) const;
-  /// The same for a command that makes only stills.
-  void requireNameOfStill() const;
   /// -o, or an unused name in the current folder that begins with the scene's name.
   Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
-  bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
   ToneOptions tone(const SceneFileSettings& settings, const Scene& scene) const {
     return look_.tone(settings, scene);

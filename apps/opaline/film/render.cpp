@@ -53,7 +53,7 @@ struct RenderCommand {
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
-    picture.addTo(line, {});
+    picture.addTo(line);
     line.section("Motion");
     motion.addTo(line);
     line.flag("--resume", "skip frames that exist and are the same", resume);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/frame_names.h"
 #include "cli/paths.h"
 #include "cli/progress.h"
 #include "cli/values.h"
@@ -50,17 +51,16 @@ void PathMethod::addTo(CommandLine& line) {
     });
   };
   line.flag("--path", "light followed through the bodies, path tracing", wanted_);
-  value("--samples", "N", "largest number of particles of each channel",
-        [this](const Given& given) {
-          const double particles = readNumber(given, {1, 1e15});
-          if (particles != std::floor(particles))
-            throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
-          limits_.particles = static_cast<std::uint64_t>(particles);
-        });
-  value("--seconds", "S", "longest time of the run", [this](const Given& given) {
+  value("--samples", "N", "limits: particles, s, block error [0.02]", [this](const Given& given) {
+    const double particles = readNumber(given, {1, 1e15});
+    if (particles != std::floor(particles))
+      throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
+    limits_.particles = static_cast<std::uint64_t>(particles);
+  });
+  value("--seconds", "S", "", [this](const Given& given) {
     limits_.seconds = readNumber(given, {0.01, 1e7, "s"});
   });
-  value("--error", "X", "ends at this rms error of 8x8 blocks [0.02]", [this](const Given& given) {
+  value("--error", "X", "", [this](const Given& given) {
     limits_.error = readNumber(given, {1e-5, 1});
   });
   value("--bounces", "N", "how often light may enter again [1000]",
@@ -77,9 +77,9 @@ void PathMethod::addTo(CommandLine& line) {
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
         });
-  value("--paths", "N", "from the eye to a pixel, of radiance [64]",
+  value("--paths", "N", "from the eye to a pixel [64], random numbers [1]",
         [this](const Given& given) { pathsOfPixel_ = readInteger(given, 1, 1000000); });
-  value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
+  value("--seed", "N", "", [this](const Given& given) {
     options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));
   });
   value("--checkpoint", "FILE", "state of the run; a later run continues from it",
@@ -87,12 +87,18 @@ void PathMethod::addTo(CommandLine& line) {
 }
 
 void PathMethod::check(const std::filesystem::path& output,
-                       const std::optional<std::filesystem::path>& report) const {
+                       const std::optional<std::filesystem::path>& report, bool films) const {
   if (any_ && !wanted_) {
     throw UsageError(
         "--samples, --seconds, --error, --bounces, --scattered, --cone, --cell-mm, --paths, --seed "
         "and "
         "--checkpoint belong to --path");
+  }
+  const bool numbered = checkpoint_ && FrameNames::parse(checkpoint_->string());
+  if (checkpoint_ && films != numbered) {
+    throw UsageError(fmt::format("--checkpoint {}: {}", checkpoint_->string(),
+                                 films ? "each frame has its own; name them like state_%04d"
+                                       : "stands for many files and needs --frames A:B"));
   }
   const auto isCheckpoint = [&](const std::filesystem::path& file) {
     return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
@@ -104,29 +110,51 @@ void PathMethod::check(const std::filesystem::path& output,
   }
 }
 
-void PathMethod::resume(rf::PathTracer& tracer) const {
+Json PathMethod::describe() const {
+  const auto orNull = [](const auto& limit) { return limit ? Json(*limit) : Json(); };
+  return {{"method", "path"},
+          {"samples", orNull(limits_.particles)},
+          {"seconds_of_tracing", orNull(limits_.seconds)},
+          {"error", orNull(reference::orUsual(limits_).error)},
+          {"bounces", options_.bounces},
+          {"scattered", options_.shown == rf::Scattered::Single     ? Json("once")
+                        : options_.shown == rf::Scattered::Multiple ? Json("more")
+                                                                    : Json()},
+          {"cone_degrees", options_.coneDegrees},
+          {"cell_mm", options_.cellMm},
+          {"paths", pathsOfPixel_},
+          {"seed", options_.seed}};
+}
+
+std::optional<std::filesystem::path> PathMethod::checkpointOf(const PictureRun& run) const {
+  return checkpoint_ && run.frame ? fileOf(*checkpoint_, *run.frame) : checkpoint_;
+}
+
+void PathMethod::resume(const PictureRun& run, rf::PathTracer& tracer) const {
+  const auto file = checkpointOf(run);
   std::error_code ignored;
-  if (!checkpoint_ || !std::filesystem::exists(*checkpoint_, ignored)) return;
+  if (!file || !std::filesystem::exists(*file, ignored)) return;
   try {
-    tracer.restore(readFile(*checkpoint_, longestCheckpointBytes));
+    tracer.restore(readFile(*file, longestCheckpointBytes));
   } catch (const Error& error) {
-    throw Error(fmt::format("--checkpoint {}: {}; name another file to start anew",
-                            checkpoint_->string(), error.what()));
+    throw Error(fmt::format("--checkpoint {}: {}; name another file to start anew", file->string(),
+                            error.what()));
   }
 }
 
-double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool quiet) const {
+double PathMethod::trace(const PictureRun& run, const rf::BlockError& error,
+                         rf::PathTracer& tracer) const {
   constexpr std::size_t steps = 1000;
   const rf::PathLimits ends = reference::orUsual(limits_);
-  Progress progress(steps, quiet, "step");
+  Progress progress(steps, run.quiet, "step", run.progress);
   const auto before =
       static_cast<std::size_t>(steps * reference::shareDone(ends, tracer.particles(), 0, error()));
   Clock::time_point saved = Clock::now();
+  const auto file = checkpointOf(run);
   const auto save = [&] {
-    if (!checkpoint_) return;
+    if (!file) return;
     const std::vector<std::byte> bytes = tracer.save();
-    writeWhole(*checkpoint_,
-               std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    writeWhole(*file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   };
   const double reached =
       rf::runPaths(tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
@@ -143,17 +171,17 @@ double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool
 }
 
 rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance& irradiance,
-                             rf::PictureOptions picture, bool quiet, const LogCallback& log,
+                             rf::PictureOptions picture, const PictureRun& run,
                              Json& report) const {
   picture.pathsOfPixel = pathsOfPixel_;
-  if (checkpoint_) requireWritable(*checkpoint_);
+  if (const auto file = checkpointOf(run)) requireWritable(*file);
   const auto begin = Clock::now();
   rf::PathTracer tracer(geometry, options_);
-  resume(tracer);
+  resume(run, tracer);
   const rf::CameraRays rays(geometry.scene().camera, picture.width, picture.height);
   const rf::BlockError error(tracer, geometry, rays, picture.width, picture.height);
   // Other variables show shape or what arrives, and need no particles.
-  const double reached = rf::showsExitance(picture.aov) ? run(tracer, error, quiet) : 0;
+  const double reached = rf::showsExitance(picture.aov) ? trace(run, error, tracer) : 0;
 
   report["particles"] = tracer.particles();
   report["block_error"] = reached;
@@ -166,7 +194,7 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
     for (const auto& [name, order] : orders)
       report["left_flux"][name].push_back(tracer.leftFlux(c, order));
   }
-  warnOfLostLight(tracer, log);
+  warnOfLostLight(tracer, run.log);
   return reference::pathTruth(tracer, geometry, irradiance, picture);
 }
 

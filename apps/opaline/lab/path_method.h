@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cli/command_line.h"
 #include "cli/json.h"
@@ -15,29 +16,41 @@
 
 namespace opaline::app {
 
+/// One of the pictures that a command makes, and who is told of it.
+struct PictureRun {
+  std::optional<int> frame;  ///< of a film
+  std::string progress;      ///< what comes before its own progress, such as "frame 2/3, "
+  bool quiet = false;
+  LogCallback log;
+};
+
 /// --path of the reference and the options that go with it.
 class PathMethod {
  public:
   void addTo(CommandLine& line);
 
   bool wanted() const { return wanted_; }
-  /// Throws UsageError for such options without --path, and for a checkpoint that the picture or
-  /// the report would overwrite.
+  /// Throws UsageError for such options without --path, for a checkpoint that the picture or the
+  /// report would overwrite, and for one name where every frame needs its own.
   void check(const std::filesystem::path& output,
-             const std::optional<std::filesystem::path>& report) const;
-  /// The checkpoint's file, which is written during the run.
+             const std::optional<std::filesystem::path>& report, bool films) const;
+  /// The checkpoint's file, which is written during the run, or the name of those of all frames.
   const std::optional<std::filesystem::path>& checkpoint() const { return checkpoint_; }
+  /// All that decides the picture besides the scene, for its stamp.
+  Json describe() const;
 
   /// Traces light until a limit is reached, and makes a picture of the light that left. Adds facts
   /// to `report`.
   reference::Picture make(const reference::Geometry& geometry,
                           const reference::Irradiance& irradiance,
-                          reference::PictureOptions picture, bool quiet, const LogCallback& log,
+                          reference::PictureOptions picture, const PictureRun& run,
                           Json& report) const;
 
  private:
-  void resume(reference::PathTracer& tracer) const;
-  double run(reference::PathTracer& tracer, const reference::BlockError& error, bool quiet) const;
+  std::optional<std::filesystem::path> checkpointOf(const PictureRun& run) const;
+  void resume(const PictureRun& run, reference::PathTracer& tracer) const;
+  double trace(const PictureRun& run, const reference::BlockError& error,
+               reference::PathTracer& tracer) const;
 
   bool wanted_ = false;
   bool any_ = false;  ///< whether an option was given that needs --path

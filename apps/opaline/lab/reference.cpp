@@ -1,28 +1,28 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/json.h"
-#include "cli/motion_options.h"
 #include "cli/object_sizes.h"
 #include "cli/output.h"
 #include "cli/paths.h"
-#include "cli/picture_options.h"
 #include "cli/progress.h"
-#include "cli/scene_options.h"
-#include "cli/values.h"
+#include "film/film.h"
 #include "film/film_output.h"
+#include "film/frames_asked_for.h"
 #include "film/framing.h"
+#include "film/kept_positions.h"
 #include "film/sequence_frames.h"
 #include "lab/path_method.h"
+#include "lab/reference_command.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/scene_file.h"
@@ -37,157 +37,30 @@ namespace {
 
 namespace rf = opaline::reference;
 
-rf::Region readRegion(const Given& given) {
-  const auto refuse = [&] {
-    throw UsageError(fmt::format("{} {}: must be X,Y,WIDTH,HEIGHT, whole numbers of pixels",
-                                 given.option, given.text));
-  };
-  std::array<int, 4> values{};
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t comma = given.text.find(',', begin);
-    if ((comma == std::string::npos) != (i + 1 == values.size())) refuse();
-    try {
-      values[i] = readInteger({given.option, given.text.substr(begin, comma - begin)}, 0, 16384);
-    } catch (const UsageError&) {
-      // That message would quote one number as if it were the whole argument.
-      refuse();
-    }
-    begin = comma + 1;
-  }
-  return {values[0], values[1], values[2], values[3]};
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-
-struct ReferenceCommand {
-  SceneOptions scene;
-  LightOptions lights;
-  CameraOptions camera;
-  MotionOptions motion;
-  PictureOptions picture;
-  bool integral = false;
-  bool ambientOcclusion = false;
-  std::optional<Transport> transport;
-  std::optional<double> tolerance;
-  PathMethod path;
-  std::optional<rf::Region> region;
-  int every = 1;
-  std::optional<std::filesystem::path> report;
-  bool quiet = false;
-  bool json = false;
-
-  void addTo(CommandLine& line) {
-    line.section("Scene");
-    scene.addTo(line);
-    line.section("Light; lights given here replace all lights of the scene");
-    lights.addTo(line);
-    line.section("Picture");
-    camera.addTo(line);
-    picture.addTo(line, {.films = false, .sourceMap = false});
-    line.value("--region", "X,Y,W,H", "only these pixels, from the upper left",
-               [this](const Given& given) { region = readRegion(given); });
-    line.value("--every", "N", "only every N-th pixel across and down [1]",
-               [this](const Given& given) { every = readInteger(given, 1, 16384); });
-    line.section("Motion");
-    motion.addTo(line, false);
-    line.section("Method");
-    line.flag("--integral", "the exact surface integral of the dipole", integral);
-    line.value(
-        "--transport", "NAME", "dipole or better-dipole [dipole]",
-        [this](const Given& given) { transport = readChoice(given, halfSpaceTransports()); });
-    line.value("--tolerance", "X", "relative error allowed, 1e-7 to 0.5 [0.001]",
-               [this](const Given& given) {
-                 tolerance = readNumber(given, {1e-7, 0.5});
-               });
-    line.flag("--ambient-occlusion", "what hides the sky darkens --aov irradiance",
-              ambientOcclusion);
-    path.addTo(line);
-    line.section("Run");
-    line.value("--report", "FILE.json", "what was done, and how exact it is",
-               [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.outputFlags("the report on standard output", json, quiet);
-  }
-
-  /// Refuses options that contradict each other or that only the GPU renderer supports, before any
-  /// work.
-  void check() const {
-    if (integral == path.wanted()) {
-      throw UsageError("reference needs one method: --integral or --path");
-    }
-    if (path.wanted() && (transport || tolerance)) {
-      throw UsageError("--transport and --tolerance belong to --integral");
-    }
-    if (ambientOcclusion && (path.wanted() || picture.aov() != Aov::Irradiance)) {
-      throw UsageError(
-          "--ambient-occlusion needs --integral --aov irradiance: of light that has scattered, "
-          "only "
-          "--path finds it");
-    }
-    camera.check();
-    picture.requireNameOfStill();
-    if (!picture.seenByCamera()) {
-      throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
-    }
-    if (picture.aov() == Aov::Evaluations) {
-      throw UsageError("--aov evaluations: counts the work of render; the reference has none");
-    }
-    if (picture.aov() == Aov::Surfels) {
-      throw UsageError("--aov surfels: the reference works without surfels; render shows them");
-    }
-    if (picture.asksForReflection() && integral) {
-      throw UsageError(
-          "--roughness: the integral leaves out reflections; compare it with render "
-          "--no-specular");
-    }
-    static_cast<void>(options({}));
-  }
-
-  RenderOptions options(const SceneFileSettings& settings) const {
-    RenderOptions options = optionsOf(settings);
-    options.transport = reference::transportOfIntegral(options.transport);
-    if (transport) options.transport = *transport;
-    picture.applyTo(options);
-    return options;
-  }
-
-  /// The outputs that were named.
-  std::vector<Output> outputs() const {
-    std::vector<Output> outputs;
-    if (picture.hasFile()) outputs.push_back({"-o", picture.target("", {}).path});
-    if (report) outputs.push_back({"--report", *report});
-    if (path.checkpoint()) outputs.push_back({"--checkpoint", *path.checkpoint()});
-    return outputs;
-  }
-
-  double toleranceOf() const { return tolerance.value_or(rf::IntegralOptions{}.tolerance); }
-
-  rf::PictureOptions pictureOptions(const RenderOptions& render) const {
-    rf::PictureOptions options;
-    options.width = render.width;
-    options.height = render.height;
-    options.aov = picture.aov();
-    options.antialias = render.antialias;
-    options.environmentBehind = render.environmentBehind;
-    options.eye = {render.specular, double{render.roughness}};
-    options.region = region;
-    options.every = every;
-    return options;
-  }
-};
 
 /// Everything that is settled before the computation starts.
 struct ReferenceJob {
-  rf::Scene scene;
+  Scene scene;
   RenderOptions options;
+  SceneTime time;  ///< of a still
   ToneOptions tone;
   Target output;
-};
+  std::shared_ptr<const MeshSequence> sequence;
+  std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
+  Clock::time_point begin{};  ///< of the command
 
-/// The positions of a still, read from a sequence's files.
-PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
-  PositionsByObject positionsMm;
-  if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
-  return positionsMm;
-}
+  void aimCamera(const std::optional<FrameRange>& frames) {
+    showAll(scene,
+            {time.clip, aspectOf(options), sequence.get(),
+             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get()),
+             kept.get()});
+  }
+};
 
 ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
                               const LogCallback& log) {
@@ -200,19 +73,26 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
   command.motion.applyTo(scene);
   const SceneTime time = command.motion.time(scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  showAll(scene,
-          {time.clip, aspectOf(options), sequence.get(), momentOf(time.seconds, sequence.get())});
   if (command.integral && options.specular && command.picture.aov() == Aov::Radiance) {
     log(LogLevel::Note,
         "the integral leaves out the reflection on surfaces; compare it with render "
         "--no-specular");
   }
-  requireNoInput(command.outputs(), filesOf(source));
+  requireNoInput(command.outputs(output), filesOf(source));
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {reference::posedScene(scene, time, positionsOf(sequence.get(), time.seconds)), options,
-          tone, std::move(output)};
+  ReferenceJob job{std::move(scene), options, time, tone, std::move(output), std::move(sequence)};
+  job.aimCamera(command.motion.frames());  // the same in every chunk
+  return job;
+}
+
+/// The scene at that moment; a body of numbered files is where its file has it.
+rf::Scene posed(const ReferenceJob& job, const Moment& moment) {
+  PositionsByObject positionsMm;
+  if (moment.number && !job.kept->take(*moment.number, positionsMm[0]))
+    job.sequence->read(*moment.number, positionsMm[0]);
+  return reference::posedScene(job.scene, {moment.seconds, job.time.clip}, positionsMm);
 }
 
 /// The result of the computation.
@@ -220,94 +100,210 @@ struct Made {
   rf::Picture picture;
   Json facts = Json::object();  ///< specific to the method
   double blockError = 0;        ///< with --path only
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  double seconds = 0;
 };
 
-Made makeIntegral(const ReferenceCommand& command, const ReferenceJob& job) {
+void makeIntegral(const ReferenceCommand& command, const ReferenceJob& job,
+                  const rf::Geometry& geometry, const PictureRun& run, Made& made) {
   using Sky = rf::Irradiance::Sky;
-  const rf::Geometry geometry(job.scene);
   const rf::Irradiance irradiance(geometry,
                                   command.ambientOcclusion ? Sky::Shadowed : Sky::Unshadowed);
   std::optional<Progress> progress;
   reference::IntegralTruth truth = reference::integralTruth(
       geometry, irradiance, {job.options.transport, command.toleranceOf()},
       command.pictureOptions(job.options), [&](std::size_t done, std::size_t total) {
-        if (!progress) progress.emplace(total, command.quiet, "pixel");
+        if (!progress) progress.emplace(total, run.quiet, "pixel", run.progress);
         progress->show(done, 0);
       });
-  return {std::move(truth.picture),
-          {{"transport", options::nameOf(job.options.transport)},
-           {"tolerance", command.toleranceOf()},
-           {"patches", truth.patches}}};
+  made.picture = std::move(truth.picture);
+  made.facts = {{"transport", options::nameOf(job.options.transport)},
+                {"tolerance", command.toleranceOf()},
+                {"patches", truth.patches}};
 }
 
-Made makePath(const ReferenceCommand& command, const ReferenceJob& job, const LogCallback& log) {
-  const rf::Geometry geometry(job.scene);
+void makePath(const ReferenceCommand& command, const ReferenceJob& job,
+              const rf::Geometry& geometry, const PictureRun& run, Made& made) {
   const rf::Irradiance irradiance(geometry);
-  Made made;
-  made.picture = command.path.make(geometry, irradiance, command.pictureOptions(job.options),
-                                   command.quiet, log, made.facts);
+  made.picture =
+      command.path.make(geometry, irradiance, command.pictureOptions(job.options), run, made.facts);
   made.blockError = made.facts.at("block_error");
+}
+
+Made makeAt(const Moment& moment, const ReferenceCommand& command, const ReferenceJob& job,
+            const PictureRun& run) {
+  const Clock::time_point begin = Clock::now();
+  const rf::Scene scene = posed(job, moment);
+  Made made;
+  for (const rf::Body& body : scene.bodies) {
+    made.triangles += body.triangles.size();
+    made.vertices += body.positionsMm.size();
+  }
+  const rf::Geometry geometry(scene);
+  if (command.integral) {
+    makeIntegral(command, job, geometry, run, made);
+  } else {
+    makePath(command, job, geometry, run, made);
+  }
+  made.seconds = secondsSince(begin);
   return made;
 }
 
-Json reportJson(const ReferenceCommand& command, const ReferenceJob& job, const Made& made,
-                double seconds, const std::filesystem::path& file) {
-  std::size_t triangles = 0;
-  std::size_t vertices = 0;
-  for (const rf::Body& body : job.scene.bodies) {
-    triangles += body.triangles.size();
-    vertices += body.positionsMm.size();
-  }
+/// What is reported of a single picture.
+Json pictureJson(const Made& made) {
   const rf::ErrorSummary& error = made.picture.error;
-  Json json{
-      {"method", command.integral ? "integral" : "path"},
-      {"size", {job.options.width, job.options.height}},
-      {"triangles", triangles},
-      {"vertices", vertices},
-      {"pixels", made.picture.pixels},
-      {"relative_error",
-       {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
-      {"seconds", seconds},
-      {"exposure_stops", command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops)},
-      {"outputs", {file.string()}}};
+  Json json{{"pixels", made.picture.pixels},
+            {"relative_error",
+             {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
+            {"seconds", made.seconds}};
   json.update(made.facts);
   return json;
+}
+
+/// What is reported of all pictures.
+Json reportJson(const ReferenceCommand& command, const ReferenceJob& job) {
+  return {{"method", command.integral ? "integral" : "path"},
+          {"size", {job.options.width, job.options.height}},
+          {"triangles", nullptr},
+          {"vertices", nullptr},
+          {"exposure_stops", command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops)},
+          {"outputs", Json::array()}};
+}
+
+/// Notes what was written, and how exact it is. Single pixels of a path-traced picture are noise,
+/// and pixels without particles show nothing, so blocks are judged.
+void noteWritten(const ReferenceCommand& command, const std::string& what, double seconds,
+                 const rf::ErrorSummary& error, double blockError, const LogCallback& log) {
+  std::string note = fmt::format("wrote {}, in {:.1f} s", what, seconds);
+  if (rf::showsExitance(command.picture.aov())) {
+    note += command.integral ? fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
+                                           error.mean, error.largest)
+                             : fmt::format("; standard error of 8x8 blocks {:.2g}", blockError);
+  }
+  log(LogLevel::Note, note);
+}
+
+Json makeStill(const ReferenceCommand& command, const ReferenceJob& job, const LogCallback& log) {
+  const Moment moment = momentOf(job.time.seconds, job.sequence.get()).front();
+  const Made made = makeAt(moment, command, job, {{}, {}, command.quiet, log});
+  const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
+  const double seconds = secondsSince(job.begin);
+  noteWritten(command, nameText(file, job.output.path), seconds, made.picture.error,
+              made.blockError, log);
+  Json report = reportJson(command, job);
+  report["triangles"] = made.triangles;
+  report["vertices"] = made.vertices;
+  report["outputs"] = {file.string()};
+  report.update(pictureJson(made));
+  report["seconds"] = seconds;
+  return report;
+}
+
+/// Makes the missing frames of an order one after the other.
+class ReferenceFilm {
+ public:
+  ReferenceFilm(const ReferenceCommand& command, const ReferenceJob& job, const FilmOrder& order,
+                LogCallback log)
+      : command_(command), job_(job), order_(order), log_(std::move(log)), output_(order) {}
+
+  void make(std::size_t missing, Json& report) {
+    const FrameRange& frames = order_.frames;
+    try {
+      for (int frame = frames.first; frame <= frames.last; frame += frames.step)
+        if (!isThere(order_, frame)) makeFrame(frame, missing, report);
+    } catch (const Error&) {
+      output_.flush();  // keeps what was made before
+      throw;
+    }
+    output_.finish();
+    noteWritten(command_, fmt::format("{} frames to {}", made_, output_.file().string()),
+                secondsSince(job_.begin), worst_, worstBlockError_, log_);
+  }
+
+ private:
+  void makeFrame(int frame, std::size_t missing, Json& report) {
+    const MeshSequence* const sequence = job_.sequence.get();
+    Moment moment{order_.frames.seconds(frame), {}};
+    if (sequence != nullptr) moment.number = numberOfFrame(*sequence, frame);
+    Made made =
+        makeAt(moment, command_, job_,
+               {frame, fmt::format("frame {}/{}, ", ++made_, missing), command_.quiet, log_});
+    const rf::ErrorSummary& error = made.picture.error;
+    worst_ = {std::max(worst_.mean, error.mean), 0, std::max(worst_.largest, error.largest)};
+    worstBlockError_ = std::max(worstBlockError_, made.blockError);
+    report["triangles"] = made.triangles;
+    report["vertices"] = made.vertices;
+    Json picture{{"frame", frame}};
+    picture.update(pictureJson(made));
+    report["pictures"].push_back(std::move(picture));
+    Frame written = output_.take();
+    written.images.clear();
+    written.images.push_back(std::move(made.picture.image));
+    output_.push(frame, std::move(written));
+  }
+
+  const ReferenceCommand& command_;
+  const ReferenceJob& job_;
+  const FilmOrder& order_;
+  LogCallback log_;
+  FilmOutput output_;
+  std::size_t made_ = 0;
+  rf::ErrorSummary worst_;
+  double worstBlockError_ = 0;
+};
+
+Json makeFrames(const ReferenceCommand& command, const ReferenceJob& job,
+                const std::optional<FrameRange>& frames, const LogCallback& log) {
+  Json report = reportJson(command, job);
+  report["seconds"] = nullptr;
+  report["pictures"] = Json::array();
+  addFrames(frames, report);
+  if (!frames) {
+    noteEmptyChunk(*command.motion.chunk(), log);
+    return report;
+  }
+  FilmOrder order{.frames = *frames,
+                  .output = job.output,
+                  .aov = command.picture.aov(),
+                  .options = job.options,
+                  .clip = job.time.clip,
+                  .tone = job.tone,
+                  .resume = command.resume,
+                  .quiet = command.quiet};
+  addStamps(job.scene, job.sequence, command.describeMethod(job.options), order);
+  const std::size_t missing = framesToMake(order, log);
+  if (missing > 0) {
+    if (!job.sequence) noteStandstill(job.scene, job.time.clip, log);
+    ReferenceFilm(command, job, order, log).make(missing, report);
+  }
+  report["outputs"] = outputsOf(order);
+  report["seconds"] = secondsSince(job.begin);
+  return report;
 }
 
 }  // namespace
 
 void runReference(const Arguments& arguments) {
-  CommandLine line(
-      "reference",
-      "A still on the CPU, exactly. Lengths in mm, light in linear RGB, defaults in [].");
+  CommandLine line("reference",
+                   "The truth, by the CPU. Lengths in mm, light in linear RGB, defaults in [].");
   ReferenceCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
   command.check();
 
-  const auto begin = std::chrono::steady_clock::now();
+  const Clock::time_point begin = Clock::now();
   const LogCallback log = noteTaker(command.quiet);
-  Target output = command.picture.target(command.scene.name(), std::nullopt);
-  command.path.check(output.path, command.report);
-  requireWritable(output);
-  if (command.report) requireWritable(*command.report);
+  const std::optional<FrameRange> frames = command.motion.frames();
+  Target output = command.picture.target(command.scene.name(), frames);
+  command.path.check(output.path, command.report, frames.has_value());
+  requireOutputs(output, frames, command.report);
 
-  const ReferenceJob job = prepareReference(command, std::move(output), log);
-  const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
-  const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::string note =
-      fmt::format("wrote {}, in {:.1f} s", nameText(file, job.output.path), seconds.count());
-  if (rf::showsExitance(command.picture.aov())) {
-    // Single pixels of a path-traced picture are noise, and pixels without particles show nothing,
-    // so blocks are judged.
-    note += command.integral
-                ? fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
-                              made.picture.error.mean, made.picture.error.largest)
-                : fmt::format("; standard error of 8x8 blocks {:.2g}", made.blockError);
-  }
-  log(LogLevel::Note, note);
-  const std::string report = toText(reportJson(command, job, made, seconds.count(), file));
+  ReferenceJob job = prepareReference(command, std::move(output), log);
+  job.begin = begin;
+  const std::string report =
+      toText(frames ? makeFrames(command, job, command.motion.framesOfChunk(), log)
+                    : makeStill(command, job, log));
   if (command.report) writeWhole(*command.report, report);
   if (command.json) printOut(report);
 }

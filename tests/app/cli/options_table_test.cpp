@@ -77,7 +77,7 @@ PictureSettings typed(const PictureField& field, const std::string& text) {
   MotionOptions motion;
   MethodOptions method;
   CommandLine line("render", "");
-  picture.addTo(line, {});
+  picture.addTo(line);
   motion.addTo(line);
   method.addTo(line);
   std::vector<std::string> arguments{nameOf(field)};
