@@ -51,16 +51,17 @@ void PathMethod::addTo(CommandLine& line) {
     });
   };
   line.flag("--path", "light followed through the bodies, path tracing", wanted_);
-  value("--samples", "N", "limits: particles, s, block error [0.02]", [this](const Given& given) {
-    const double particles = readNumber(given, {1, 1e15});
-    if (particles != std::floor(particles))
-      throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
-    limits_.particles = static_cast<std::uint64_t>(particles);
-  });
+  value("--samples", "N", "particles of each channel, and time, at most",
+        [this](const Given& given) {
+          const double particles = readNumber(given, {1, 1e15});
+          if (particles != std::floor(particles))
+            throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
+          limits_.particles = static_cast<std::uint64_t>(particles);
+        });
   value("--seconds", "S", "", [this](const Given& given) {
     limits_.seconds = readNumber(given, {0.01, 1e7, "s"});
   });
-  value("--error", "X", "", [this](const Given& given) {
+  value("--error", "X", "ends at this rms error of 8x8 blocks [0.02]", [this](const Given& given) {
     limits_.error = readNumber(given, {1e-5, 1});
   });
   value("--bounces", "N", "how often light may enter again [1000]",
