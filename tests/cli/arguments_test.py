@@ -56,7 +56,7 @@ class Refusals(ProgramTest):
             self.refused(2, command, "--jsom", says="did you mean --json?")
 
     def test_what_is_nothing_alike_suggests_nothing(self):
-        for command, typed in (("view", "-o"), ("render", "--resolution"), ("render", "-z")):
+        for command, typed in (("view", "--chunk"), ("render", "--resolution"), ("render", "-z")):
             run = self.refused(2, command, typed, "1", says=f"{command} has no option {typed}")
             self.assertNotIn("did you mean", run.err)
 

@@ -1,5 +1,6 @@
 """The window itself: opening, sizes, closing, and what it costs while nothing happens."""
 
+import json
 import os
 import subprocess
 import time
@@ -58,6 +59,47 @@ class Opening(WindowTest):
     def test_wrong_arguments(self):
         self.refused(2, "view", "--medium", "granite", says="granite")
         self.refused(2, "view", "--transport", "boundary", "--sum", "pattern", says="boundary")
+        self.refused(2, "view", "--frames", "0:9:3", says=("--frames A:B:STEP", "numbered pictures"))
+        self.refused(2, "view", "-o", "f%d.png", says=("-o f%d.png", "render"))
+        self.refused(2, "view", "-o", "a.toml", says=".png, .exr or .mp4")
+        self.refused(1, "view", "-o", "none/a.png", says="none")
+        self.refused(1, "view", "--report", "none/a.json", says="none")
+        self.refused(2, "view", "--aov", "depht", says="did you mean depth?")
+        self.refused(2, "view", "--aov", "surfels", "--sum", "pattern", says="the pattern has no surfels")
+
+
+class Asked(WindowTest):
+    """What the command line asks of the window."""
+
+    def test_frames_names_and_report(self):
+        (self.folder / "out").mkdir()
+        window = self.view("--builtin", "teapot", *CORNERS, "--size", "900x600", "--deform", "squash:0.4:2", "--frames", "15:20", "--fps", 12.5,
+                           "--time", 0.25, "-o", "out/picture.exr", "--report", "report.json")
+        window.key("p")
+        window.wait_for(lambda: window.state()["message"] == "saved out/picture.exr", "key P saved nothing")
+        window.key("s")
+        window.wait_for(lambda: window.state()["message"] == "saved out/picture.toml", "no scene was saved")
+        window.only("Save")
+        window.save_as("film")
+        window.wait_for(lambda: window.state()["message"].endswith("out/picture.mp4"), "no film")
+        window.close()
+        report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["triangles"], 2256)
+        said = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                               "stream=nb_read_frames,r_frame_rate", "-of", "json", self.folder / "out" / "picture.mp4"],
+                              capture_output=True, check=True).stdout
+        self.assertEqual(json.loads(said)["streams"], [{"r_frame_rate": "25/2", "nb_read_frames": "6"}])
+
+    def test_a_variable(self):
+        by_hand = self.view("--builtin", "teapot", *QUICK)
+        by_hand.only("View")
+        by_hand.choose("View/variable", "normal")
+        by_hand.key("h")
+        shown = by_hand.picture()
+        by_hand.close()
+        asked = self.view("--builtin", "teapot", *QUICK, "--aov", "normal")
+        self.assertLess(asked.picture().difference(shown), .5)
+        asked.close()
 
 
 class NoRoom(WindowTest):

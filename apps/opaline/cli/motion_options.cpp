@@ -57,15 +57,15 @@ bool moves(const Deformer& deformer) {
 
 }  // namespace
 
-void MotionOptions::addTo(CommandLine& line, bool films) {
+void MotionOptions::addTo(CommandLine& line, bool chunks) {
   addField(line, options::fieldOf<options::PictureSettings>("seconds"), chosen_, "--time");
-  if (films) {
-    line.value("--frames", "A:B[:STEP]", "a film; frame n shows time n / fps",
-               [this](const Given& given) { frames_ = readFrames(given); });
-    line.value("--fps", "N", "N frames a second [30]; only part I of N of them",
-               [this](const Given& given) { framesPerSecond_ = readFramesPerSecond(given); });
+  line.value("--frames", chunks ? "A:B[:STEP]" : "A:B", "a film; frame n shows time n / fps",
+             [this](const Given& given) { frames_ = readFrames(given); });
+  line.value("--fps", "N",
+             chunks ? "N frames a second [30]; only part I of N of them" : "frames a second [30]",
+             [this](const Given& given) { framesPerSecond_ = readFramesPerSecond(given); });
+  if (chunks)
     line.value("--chunk", "I/N", "", [this](const Given& given) { chunk_ = readChunk(given); });
-  }
   addField(line, options::fieldOf<options::NamedSettings>("clip"), named_);
   line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",
                 [this](const Given& given) { deformers_.push_back(readDeformer(given)); });

@@ -16,9 +16,10 @@ namespace opaline::app {
 /// --time, --frames, --fps, --chunk, --clip, --deform.
 class MotionOptions {
  public:
-  /// Without `films`, only the options for stills.
-  void addTo(CommandLine& line, bool films = true);
-  /// Throws UsageError for options that contradict each other.
+  /// Without `chunks`, a film is made by one program.
+  void addTo(CommandLine& line, bool chunks = true);
+  /// Throws UsageError for options that contradict each other where either a still or a film is
+  /// made.
   void check() const;
 
   /// None when a still is asked for.
@@ -26,6 +27,8 @@ class MotionOptions {
   /// The frames to render here; none if the chunk gets none.
   std::optional<FrameRange> framesOfChunk() const;
   const std::optional<Chunk>& chunk() const { return chunk_; }
+  const std::optional<double>& framesPerSecond() const { return framesPerSecond_; }
+  bool asksForTime() const { return !chosen_.empty(); }
 
   /// Appends the deformers that were asked for.
   void applyTo(Scene& scene) const;

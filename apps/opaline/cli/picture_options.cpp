@@ -104,9 +104,7 @@ void MethodOptions::applyTo(RenderOptions& options, const SceneFileSettings& set
 }
 
 void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
-  if (aov == Aov::Surfels && options.sum == Sum::Pattern) {
-    throw UsageError("--aov surfels needs --sum tree or --sum all; the pattern has no surfels");
-  }
+  requireMethodFor(aov, options);
   if (!chosen_.has("dsm_size") || options.sum == Sum::Pattern || showsMap(aov)) return;
   throw UsageError(
       "--dsm-size is of the diffusion source map, which only --sum pattern and --aov dsm-* make");
@@ -142,20 +140,14 @@ ToneOptions LookOptions::tone(const SceneFileSettings& settings, const Scene& sc
   return found.tone;
 }
 
-void PictureOptions::addTo(CommandLine& line, bool surfels) {
-  line.value("-o,--output", "FILE", ".png, .exr (linear), frame_%04d.png, film.mp4",
-             [this](const Given& given) {
-               file_ = readOutput(given, {".png", ".exr", ".mp4"});
-             });
-  addField(line, options::fieldOf<options::PictureSettings>("size"), chosen_);
+void AovOption::addTo(CommandLine& line, const std::string& what, bool surfels) {
   line.value("--aov", "NAME",
-             fmt::format("EXR of radiance exitance irradiance position normal depth object{}",
+             fmt::format("{} radiance exitance irradiance position normal depth object{}", what,
                          surfels ? " evaluations surfels[:N] dsm-*" : ""),
-             [this](const Given& given) { takeAov(given); });
-  look_.addTo(line);
+             [this](const Given& given) { take(given); });
 }
 
-void PictureOptions::takeAov(const Given& given) {
+void AovOption::take(const Given& given) {
   const std::string withLevel = "surfels:";
   treeLevel_.reset();
   if (given.text.rfind(withLevel, 0) != 0) {
@@ -166,9 +158,24 @@ void PictureOptions::takeAov(const Given& given) {
   treeLevel_ = readInteger({given.option, given.text.substr(withLevel.size()), given.text}, 0, 64);
 }
 
+void requireMethodFor(Aov aov, const RenderOptions& options) {
+  if (aov != Aov::Surfels || options.sum != Sum::Pattern) return;
+  throw UsageError("--aov surfels needs --sum tree or --sum all; the pattern has no surfels");
+}
+
+void PictureOptions::addTo(CommandLine& line, bool surfels) {
+  line.value("-o,--output", "FILE", ".png, .exr (linear), frame_%04d.png, film.mp4",
+             [this](const Given& given) {
+               file_ = readOutput(given, {".png", ".exr", ".mp4"});
+             });
+  addField(line, options::fieldOf<options::PictureSettings>("size"), chosen_);
+  aov_.addTo(line, "EXR of", surfels);
+  look_.addTo(line);
+}
+
 void PictureOptions::applyTo(RenderOptions& options) const {
   const bool picture = aov() == Aov::Radiance;
-  if (aov_ && !isExr()) {
+  if (aov_.aov() && !isExr()) {
     throw UsageError("--aov writes values, not colours: the name after -o must end in .exr");
   }
   if (isExr() && look_.asksForTone()) {
@@ -180,7 +187,7 @@ void PictureOptions::applyTo(RenderOptions& options) const {
     throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");
   }
   options::apply(chosen_, options);
-  if (treeLevel_) options.treeLevel = *treeLevel_;
+  if (aov_.treeLevel()) options.treeLevel = *aov_.treeLevel();
   look_.applyTo(options);
   if (!picture) options.antialias = 1;
 }
@@ -193,7 +200,7 @@ std::optional<std::string> PictureOptions::noteOnExposure(const SceneFileSetting
 }
 
 bool PictureOptions::isExr() const {
-  return file_ ? extensionOf(*file_) == ".exr" : aov_.has_value();
+  return file_ ? extensionOf(*file_) == ".exr" : aov_.aov().has_value();
 }
 
 void PictureOptions::requireNameFor(bool frames, bool resume, bool chunk) const {

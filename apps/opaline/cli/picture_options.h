@@ -67,15 +67,35 @@ class LookOptions {
   options::Chosen<options::PictureSettings> chosen_;
 };
 
+/// --aov.
+class AovOption {
+ public:
+  /// The help begins with what is done with the variable. Without `surfels`, the command has
+  /// neither these nor the diffusion source map.
+  void addTo(CommandLine& line, const std::string& what, bool surfels = true);
+  const std::optional<Aov>& aov() const { return aov_; }
+  /// The level of the groups of surfels that were asked for.
+  const std::optional<int>& treeLevel() const { return treeLevel_; }
+
+ private:
+  void take(const Given& given);
+
+  std::optional<Aov> aov_;
+  std::optional<int> treeLevel_;
+};
+
+/// Throws UsageError for a variable that the method does not have.
+void requireMethodFor(Aov aov, const RenderOptions& options);
+
 /// Which picture is written, where, and how it looks.
 class PictureOptions {
  public:
-  /// Without `surfels`, the command has neither these nor the diffusion source map.
+  /// `surfels` as for --aov.
   void addTo(CommandLine& line, bool surfels = true);
   /// Throws UsageError for options that contradict each other.
   void applyTo(RenderOptions& options) const;
 
-  Aov aov() const { return aov_.value_or(Aov::Radiance); }
+  Aov aov() const { return aov_.aov().value_or(Aov::Radiance); }
   /// False for variables of the diffusion source map.
   bool seenByCamera() const { return aov() < Aov::DsmPosition; }
   /// Whether a value was given that only affects the reflection on the surface.
@@ -94,12 +114,9 @@ class PictureOptions {
                                             const ToneOptions& tone) const;
 
  private:
-  void takeAov(const Given& given);
-
   options::Chosen<options::PictureSettings> chosen_;  // the size
   LookOptions look_;
-  std::optional<Aov> aov_;
-  std::optional<int> treeLevel_;
+  AovOption aov_;
   std::optional<std::filesystem::path> file_;
 };
 

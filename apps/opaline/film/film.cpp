@@ -34,11 +34,15 @@ bool isThere(const FilmOrder& order, int frame) {
   return order.resume && isWhole(order, frame) && carriesItsStamp(order, frame);
 }
 
+void requireEveryFrame(const FrameRange& frames) {
+  if (frames.step == 1) return;
+  throw UsageError(
+      "--frames A:B:STEP makes numbered pictures; a film shows every frame, and --fps sets its "
+      "rate");
+}
+
 void requireFilmWritable(const Target& output, const FrameRange& frames) {
-  if (isFilm(output.path) && frames.step > 1)
-    throw UsageError(
-        "--frames A:B:STEP makes numbered pictures; a film shows every frame, and --fps sets its "
-        "rate");
+  if (isFilm(output.path)) requireEveryFrame(frames);
   requireWritable({fileOf(output.path, frames.first), output.existing});
   if (isFilm(output.path)) requireFfmpeg();
 }

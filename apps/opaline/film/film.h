@@ -33,6 +33,9 @@ struct FilmOrder {
   std::function<void(Renderer& renderer, int frame)> place;
 };
 
+/// Throws UsageError for frames that a film cannot leave out.
+void requireEveryFrame(const FrameRange& frames);
+
 /// Throws Error before hours of work when the output cannot be written or ffmpeg is missing.
 void requireFilmWritable(const Target& output, const FrameRange& frames);
 

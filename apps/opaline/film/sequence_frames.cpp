@@ -42,6 +42,10 @@ int nearestNumber(const MeshSequence& sequence, double seconds) {
   return sequence.firstNumber() + static_cast<int>(frame);
 }
 
+double shownAt(const MeshSequence* sequence, const FrameRange& frames, int frame) {
+  return sequence != nullptr ? FrameRange{}.seconds(frame) : frames.seconds(frame);
+}
+
 double lastSecond(const MeshSequence& sequence) {
   return (sequence.frameCount() - 1) / FrameRange{}.perSecond;
 }

@@ -20,6 +20,10 @@ int numberAt(const MeshSequence& sequence, double seconds);
 /// The same, but the last file for all later times.
 int nearestNumber(const MeshSequence& sequence, double seconds);
 
+/// When a player shows a frame. Files of a sequence follow each other at the usual speed, whatever
+/// that of the film.
+double shownAt(const MeshSequence* sequence, const FrameRange& frames, int frame);
+
 /// When the last file is shown, and when the next one would follow.
 double lastSecond(const MeshSequence& sequence);
 double secondsOf(const MeshSequence& sequence);

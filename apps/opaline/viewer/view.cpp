@@ -13,6 +13,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
+#include "cli/frame_names.h"
 #include "cli/json.h"
 #include "cli/motion_options.h"
 #include "cli/output.h"
@@ -20,7 +21,10 @@
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "film/film.h"
+#include "film/sequence_frames.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "viewer/viewer.h"
 
 namespace opaline::app {
@@ -35,7 +39,10 @@ struct ViewCommand {
   MethodOptions method;
   LookOptions look;
   std::optional<std::array<int, 2>> size;
+  AovOption variable;
+  std::optional<std::filesystem::path> output;
   DeviceOptions device;
+  std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> controls;
   bool quiet = false;
   bool json = false;
@@ -52,15 +59,39 @@ struct ViewCommand {
         "--size", "WxH", "of the window, pixels [as it was left]", [this](const Given& given) {
           size = readSize(given, options::fieldOf<options::PictureSettings>("size").allowed.range);
         });
+    line.value("-o,--output", "FILE", "to save, when you ask for it: .png, .exr, .mp4",
+               [this](const Given& given) {
+                 output = readOutput(given, {".png", ".exr", ".mp4"});
+               });
+    variable.addTo(line, "shows");
     line.section("Motion");
     motion.addTo(line, false);
     line.section("Method");
     method.addTo(line);
     line.section("Run");
     device.addTo(line);
-    line.outputFlags("report of the last picture, at the end", json, quiet);
+    line.value("--report", "FILE.json", "report of the last picture, at the end",
+               [this](const Given& given) { report = readOutput(given, {".json"}); });
+    line.outputFlags("the same on standard output", json, quiet);
     line.value("--controls", "FILE.json", "writes where each control is, to drive the window",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
+  }
+
+  /// Refuses options that contradict each other, and files that cannot be written, before any
+  /// window opens.
+  void check() const {
+    scene.checkMedia();
+    camera.check();
+    static_cast<void>(options({}));
+    if (const auto frames = motion.frames()) requireEveryFrame(*frames);
+    if (output && FrameNames::parse(output->string())) {
+      throw UsageError(
+          fmt::format("-o {}: the window saves one picture or a film at a time; render "
+                      "--frames makes numbered pictures",
+                      output->string()));
+    }
+    if (output) requireWritable({*output, Existing::TakeNextName});
+    if (report) requireWritable(*report);
   }
 
   /// Refuses options that contradict each other, too.
@@ -68,7 +99,31 @@ struct ViewCommand {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options, settings);
     look.applyTo(options);
+    if (variable.aov()) requireMethodFor(*variable.aov(), options);
     return options;
+  }
+
+  /// The film, and the variable that is shown.
+  void chooseWhatIsShown(const LoadedScene& loaded, viewer::Session& session) const {
+    if (const auto rate = motion.framesPerSecond()) session.film.perSecond = *rate;
+    if (const auto frames = motion.frames()) {
+      const MeshSequence* const sequence = loaded.sequence.get();
+      if (sequence != nullptr) static_cast<void>(numberOfFrame(*sequence, frames->last));
+      session.film = {frames->perSecond, false, frames->first, frames->last};
+      if (!motion.asksForTime() && !loaded.settings.picture.has("seconds"))
+        session.time.seconds = shownAt(sequence, *frames, frames->first);
+    }
+    session.aov = variable.aov().value_or(Aov::Radiance);
+    if (const auto level = variable.treeLevel()) {
+      session.treeLevel = *level;
+      session.surfelIndex = viewer::SurfelIndex::Node;
+    }
+  }
+
+  void nameFiles(viewer::Session& session) const {
+    if (!output) return;
+    session.saveName = (output->parent_path() / output->stem()).string();
+    if (extensionOf(*output) == ".exr") session.savedByKey = viewer::Save::Exr;
   }
 
   void prepare(LoadedScene& loaded, viewer::Session& session) const {
@@ -79,6 +134,8 @@ struct ViewCommand {
     session.time = motion.time(loaded.scene, loaded.settings);
     session.tone = look.tone(loaded.settings, loaded.scene);
     session.exposesByLight = look.exposesByLight(loaded.settings);
+    chooseWhatIsShown(loaded, session);
+    nameFiles(session);
     if (const options::Value* given = loaded.settings.picture.find("size")) {
       session.pictureSize = std::get<options::Size>(*given);
     }
@@ -125,11 +182,9 @@ void runView(const Arguments& arguments) {
   ViewCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
-  command.motion.check();
-  command.scene.checkMedia();
+  command.check();
   command.device.limitHostMemory();
   returnLargeBlocks();
-  static_cast<void>(command.options({}));  // reports errors before any window opens
   const LogCallback log = noteTaker(command.quiet);
   viewer::ViewerOptions options;
   options.source = command.scene;
@@ -143,7 +198,9 @@ void runView(const Arguments& arguments) {
   options.controls = command.controls;
   viewer::Viewer viewer(options);
   viewer.run();
-  if (command.json) printOut(toText(viewer.report()));
+  const std::string report = toText(viewer.report());
+  if (command.report) writeWhole(*command.report, report);
+  if (command.json) printOut(report);
   if (viewer.validationMessages() > 0) {
     throw Error(fmt::format("--validation: the validation layer had {} messages",
                             viewer.validationMessages()));

@@ -86,7 +86,7 @@ void Viewer::takeLoaded() {
     if (!resizing_) {
       // Files go on into the folder of the last.
       const std::filesystem::path last(session_.saveName);
-      made.saveName = (last.parent_path() / made.name).string();
+      if (made.saveName.empty()) made.saveName = (last.parent_path() / made.name).string();
       showAll(made.scene, {made.time.clip, area.aspect(), made.sequence.get(),
                            someMoments(lengthOfMotion(made), made.sequence.get())});
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/shapes.h"
+#include "viewer/session/playback.h"
 
 namespace opaline::app::viewer {
 namespace {
@@ -33,6 +34,42 @@ TEST(Session, PanelsAndSavedFilesGiveTheSamePlaces) {
   EXPECT_FLOAT_EQ(*saved.ground->heightMm, -20);
   EXPECT_FLOAT_EQ(placeInFile({0, 180, 0}, session)[1], -20);
   EXPECT_EQ(saved.centreMm, session.centreMm);
+}
+
+// Deformers swing once in two seconds.
+Session swinging() {
+  Session session = sessionAwayFromTheOrigin();
+  session.scene.deformers.push_back({DeformerKind::Twist, 1, 2});
+  return session;
+}
+
+TEST(Session, PlaysWhatItsFilmShows) {
+  Session session = swinging();
+  fitPlayback(session);
+  EXPECT_EQ(session.playback.beginSeconds, 0);
+  EXPECT_EQ(session.playback.endSeconds, 2);
+  EXPECT_EQ(filmFrames(session).count(), 60U);
+  session.film = {12.5, false, 25, 49};
+  fitPlayback(session);
+  EXPECT_EQ(session.playback.beginSeconds, 2);
+  EXPECT_EQ(session.playback.endSeconds, 4);
+  EXPECT_EQ(filmFrames(session).perSecond, 12.5);
+}
+
+TEST(Session, PlaysARangeAgainAndAgain) {
+  Session session = swinging();
+  session.film = {10, false, 10, 19};
+  fitPlayback(session);
+  session.time.seconds = 1;
+  session.playback.playing = true;
+  playOn(0.75, session);
+  EXPECT_NEAR(session.time.seconds, 1.75, 1e-9);
+  playOn(0.75, session);
+  EXPECT_NEAR(session.time.seconds, 1.5, 1e-9);
+  session.playback.loop = false;
+  playOn(0.75, session);
+  EXPECT_EQ(session.time.seconds, 2);
+  EXPECT_FALSE(session.playback.playing);
 }
 
 }  // namespace

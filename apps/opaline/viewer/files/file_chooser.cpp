@@ -24,7 +24,8 @@ void FileChooser::ask(FileUse use, const fs::path& offered) {
   if (native_ || own_.isOpen()) return;
   FileQuestion question = questionFor(use);
   if (question.saves()) question.name = offered.filename().string();
-  question.folder = question.saves() ? saveFolder_ : openFolder_;
+  std::error_code error;
+  question.folder = question.saves() ? fs::absolute(offered, error).parent_path() : openFolder_;
   if (!isFolder(question.folder)) question.folder = workingFolder();
   question_ = question;
   if (const std::optional<DialogProgram> program = findDialogProgram()) {
@@ -59,10 +60,7 @@ std::optional<FileAnswer> FileChooser::takeNative() {
 std::optional<FileAnswer> FileChooser::draw() {
   std::optional<FileAnswer> answer = takeNative();
   if (auto given = own_.draw()) answer = std::move(given);
-  if (answer) {
-    fs::path folder = answer->file.parent_path();
-    (question_->saves() ? saveFolder_ : openFolder_) = std::move(folder);
-  }
+  if (answer && !question_->saves()) openFolder_ = answer->file.parent_path();
   return answer;
 }
 

@@ -19,7 +19,7 @@ class FileChooser {
   /// `openFolder` is where a model or an environment was last opened; empty: unknown.
   explicit FileChooser(std::filesystem::path openFolder) : openFolder_(std::move(openFolder)) {}
 
-  /// Asks for a file; `offered` is a name to save under. Only one question is open at a time.
+  /// Asks for a file; `offered` is a path to save under. Only one question is open at a time.
   void ask(FileUse use, const std::filesystem::path& offered = {});
   /// Whether our own dialog is open.
   bool isModal() const { return own_.isOpen(); }
@@ -37,7 +37,6 @@ class FileChooser {
   std::optional<FileAnswer> takeNative();
 
   std::filesystem::path openFolder_;
-  std::filesystem::path saveFolder_;  // last folder of a saved file
   std::optional<FileQuestion> question_;
   std::optional<NativeDialog> native_;
   FileDialog own_;

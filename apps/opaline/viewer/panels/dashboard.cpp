@@ -44,7 +44,7 @@ void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, 
     if (press.control && press.key == GLFW_KEY_S) session.wantedFile = FileUse::SaveScene;
     if (!press.control && !press.repeated) {
       if (press.key == GLFW_KEY_TAB) panels_ = !panels_;
-      if (press.key == GLFW_KEY_P) session.wanted = Save::Picture;
+      if (press.key == GLFW_KEY_P) session.wanted = session.savedByKey;
       if (press.key == GLFW_KEY_S) session.wanted = Save::Scene;
     }
     if (!filming) PictureInput::useKey(press, session, area_);

@@ -95,7 +95,7 @@ void drawClips(Session& session) {
   int chosen = session.time.clip + 1;
   if (names.size() > 1 && controls::choice("clip", chosen, names, "Which animation plays.")) {
     session.time.clip = chosen - 1;
-    session.playback.lengthSeconds = lengthOfMotion(session);
+    fitPlayback(session);
     session.edits.picture = true;
   }
 }
@@ -118,7 +118,7 @@ void drawMotionPanel(Session& session) {
   controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
   ImGui::BeginDisabled(!moving);
   session.edits.picture |=
-      controls::slider("time", session.time.seconds, 0, static_cast<double>(playback.lengthSeconds),
+      controls::slider("time", session.time.seconds, playback.beginSeconds, playback.endSeconds,
                        "%.3f s", orWhyNot("The moment that is shown."));
   ImGui::EndDisabled();
   controls::checkbox("poke", session.poke,
@@ -128,7 +128,7 @@ void drawMotionPanel(Session& session) {
   drawClips(session);
   if (drawDeformers(session.scene.deformers)) {
     session.edits.deformers = true;
-    playback.lengthSeconds = lengthOfMotion(session);
+    fitPlayback(session);
   }
 }
 

@@ -50,22 +50,34 @@ void drawBackground(Session& session) {
   session.edits.picture = true;
 }
 
+bool chooseRate(double& perSecond) {
+  static const Choices<double> usual{{"24", 24}, {"25", 25}, {"30", 30}, {"50", 50}, {"60", 60}};
+  const bool known = std::any_of(usual.begin(), usual.end(),
+                                 [&](const auto& entry) { return entry.second == perSecond; });
+  Choices<double> choices = usual;
+  if (!known) choices.emplace_back(fmt::format("{}", perSecond), perSecond);
+  return controls::choice("frames a second", perSecond, choices, "Of a film.");
+}
+
 void drawFilm(Session& session) {
   FilmSettings& film = session.film;
-  static const Choices<int> rates{{"24", 24}, {"25", 25}, {"30", 30}, {"50", 50}, {"60", 60}};
-  controls::choice("frames a second", film.perSecond, rates, "Of a film.");
+  bool changed = chooseRate(film.perSecond);
   if (controls::checkbox("the motion once", film.once,
-                         "Saves all of the motion; otherwise the frames that you set.") &&
-      !film.once) {
-    film.once = true;
-    const FrameRange all = filmFrames(session);
-    film = {film.perSecond, false, all.first, all.last};
+                         "Saves all of the motion; otherwise the frames that you set, which also "
+                         "play then.")) {
+    changed = true;
+    if (!film.once) {
+      film.once = true;
+      const FrameRange all = filmFrames(session);
+      film = {film.perSecond, false, all.first, all.last};
+    }
   }
   if (!film.once) {
-    controls::typed("first frame", film.first, 0, mostFrames,
-                    "Frame n shows the time n over the rate.");
-    controls::typed("last frame", film.last, 0, mostFrames, "It is part of the film.");
+    changed |= controls::typed("first frame", film.first, 0, mostFrames,
+                               "Frame n shows the time n over the rate.");
+    changed |= controls::typed("last frame", film.last, 0, mostFrames, "It is part of the film.");
   }
+  if (changed) fitPlayback(session);
   const FrameRange frames = filmFrames(session);
   ImGui::TextDisabled("film: %zu frames, %.2f s", frames.count(),
                       static_cast<double>(frames.count()) / frames.perSecond);

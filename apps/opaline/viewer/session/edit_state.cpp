@@ -36,7 +36,7 @@ bool sameLook(const EditState& state, const Session& session) {
 
 template <typename OfState>
 auto viewOfState(OfState& s) {
-  return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.lengthSeconds, s.loop,
+  return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.beginSeconds, s.endSeconds, s.loop,
                   s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel, s.film,
                   s.pictureSize, s.clip);
 }
@@ -44,8 +44,9 @@ auto viewOfState(OfState& s) {
 template <typename OfSession>
 auto viewOf(OfSession& s) {
   return std::tie(s.scene.camera.verticalFovDegrees, s.exposesByLight, s.playback.speed,
-                  s.playback.lengthSeconds, s.playback.loop, s.quickWhileMoving, s.divided, s.aov,
-                  s.surfelIndex, s.treeLevel, s.film, s.pictureSize, s.time.clip);
+                  s.playback.beginSeconds, s.playback.endSeconds, s.playback.loop,
+                  s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel, s.film,
+                  s.pictureSize, s.time.clip);
 }
 
 bool sameMaterial(const EditState& state, const Session& session, std::size_t object) {

@@ -28,7 +28,8 @@ struct EditState {
   float fovDegrees = 0;
   std::optional<float> diagonalMm;  ///< as asked for; none: as in the file
   float speed = 1;
-  float lengthSeconds = 0;
+  double beginSeconds = 0;
+  double endSeconds = 0;
   bool loop = true;
   bool quickWhileMoving = true;
   bool divided = false;

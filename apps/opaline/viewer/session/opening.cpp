@@ -38,7 +38,6 @@ Session opened(Loader::Result result, const Prepare& prepare) {
   LoadedScene& loaded = *result.loaded;
   Session made;
   made.name = result.source.name();
-  made.saveName = made.name;
   made.asked = std::move(result.source);
   made.notes = std::move(result.notes);
   prepare(loaded, made);
@@ -51,9 +50,9 @@ Session opened(Loader::Result result, const Prepare& prepare) {
   }
   measure(made.scene, made);
   made.sequence = std::move(loaded.sequence);
-  made.playback.lengthSeconds = lengthOfMotion(made);
-  made.playback.playing =
-      (made.sequence || moves(made.scene, made.time.clip)) && made.time.seconds == 0;
+  fitPlayback(made);
+  made.playback.playing = (made.sequence || moves(made.scene, made.time.clip)) &&
+                          made.time.seconds == made.playback.beginSeconds;
   made.edits = newScene(made.scene);
   return made;
 }

@@ -10,13 +10,15 @@ void playOn(double seconds, Session& session) {
   Playback& playback = session.playback;
   if (!movesInTime(session)) playback.playing = false;
   if (playback.playing) {
-    const auto length = static_cast<double>(playback.lengthSeconds);
+    const double begin = playback.beginSeconds;
+    const double end = playback.endSeconds;
     double at = session.time.seconds + static_cast<double>(playback.speed) * seconds;
-    if (at >= length && !playback.loop) {
-      at = length;
+    if (at >= end && !playback.loop) {
+      at = end;
       playback.playing = false;
     }
-    session.time.seconds = at >= length && playback.loop ? std::fmod(at, length) : at;
+    session.time.seconds =
+        at >= end && playback.loop ? begin + std::fmod(at - begin, end - begin) : at;
     session.edits.picture = true;
   }
   if (playback.turntable) {

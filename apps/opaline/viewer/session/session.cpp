@@ -116,10 +116,24 @@ FrameRange filmFrames(const Session& session) {
   } else if (session.sequence) {
     frames.last = session.sequence->frameCount() - 1;  // one frame per file at any frame rate
   } else {
-    const double count = static_cast<double>(session.playback.lengthSeconds) * film.perSecond;
+    const double count = session.playback.endSeconds * film.perSecond;
     frames.last = std::max(0, static_cast<int>(std::lround(count)) - 1);
   }
   return frames;
+}
+
+void fitPlayback(Session& session) {
+  Playback& playback = session.playback;
+  playback.beginSeconds = 0;
+  playback.endSeconds = lengthOfMotion(session);
+  if (session.film.once) return;
+  const FrameRange frames = filmFrames(session);
+  const MeshSequence* const sequence = session.sequence.get();
+  playback.beginSeconds = shownAt(sequence, frames, frames.first);
+  playback.endSeconds = shownAt(sequence, frames, frames.last + 1);
+  if (sequence == nullptr) return;
+  playback.beginSeconds = std::min(playback.beginSeconds, lastSecond(*sequence));
+  playback.endSeconds = std::min(playback.endSeconds, secondsOf(*sequence));
 }
 
 }  // namespace opaline::app::viewer

@@ -50,12 +50,13 @@ struct Playback {
   bool loop = true;
   bool turntable = false;
   float speed = 1;
-  float lengthSeconds = 4;  ///< after which it starts again
+  double beginSeconds = 0;  ///< where it starts
+  double endSeconds = 4;    ///< where it starts again
 };
 
 /// What a film shows.
 struct FilmSettings {
-  int perSecond = 30;
+  double perSecond = 30;
   bool once = true;  ///< the motion once; else from the first frame to the last
   int first = 0;
   int last = 119;
@@ -105,6 +106,7 @@ struct Session {
   Save wanted = Save::Nothing;
   std::optional<FileAnswer> saveTo;  ///< for `wanted`; none: a free name after saveName
   std::string saveName;              ///< without its extension
+  Save savedByKey = Save::Picture;   ///< a picture or its light
   bool poke = false;                 ///< the mouse pulls bodies instead of turning the camera
   bool scaleBar = true;
   bool gizmos = true;
@@ -162,5 +164,8 @@ inline constexpr const char* nothingMoves =
 
 /// The frames of the session's film.
 FrameRange filmFrames(const Session& session);
+
+/// Makes the animation play what the film shows.
+void fitPlayback(Session& session);
 
 }  // namespace opaline::app::viewer
