@@ -141,6 +141,7 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.tone.curve = ToneCurve::None; },
       [](Session& s) { s.exposesByLight = false; },
       [](Session& s) { s.film.perSecond = 24; },
+      [](Session& s) { s.playback.beginSeconds = 1; },
       [](Session& s) {
         s.pictureSize = {64, 32};
       },

@@ -7,6 +7,7 @@
 
 #include "opaline/error.h"
 #include "opaline/image_file.h"
+#include "opaline/media.h"
 #include "opaline/scene.h"
 #include "opaline/scene_file.h"
 #include "scene/shapes.h"
@@ -407,6 +408,21 @@ TEST_F(Toml, AFieldOfViewOfParallelLinesOfSightIsNoted) {
   writeScene({file, Existing::Replace}, describe(parallel.scene, parallel.source, {}));
   EXPECT_EQ(loadSceneFile(file, options).scene.camera, parallel.scene.camera);
   EXPECT_THAT(notes, testing::IsEmpty());
+}
+
+TEST_F(Toml, MediaAreReadWithoutTheModel) {
+  const std::filesystem::path file = folder / "a.toml";
+  test::writeBytes(file,
+                   "model = 'none.ply'\n[media.jelly]\nsigma_s_per_mm = 3\n"
+                   "sigma_a_per_mm = [1, 0.5, 0.25]\n[media.'red sauce']\nmeasured = 'ketchup'\n");
+  const auto media = mediaOf(file);
+  ASSERT_EQ(media.size(), 2U);
+  EXPECT_EQ(media.at("jelly").sigmaSPrimePerMm[2], 3);
+  EXPECT_EQ(media.at("jelly").sigmaAPerMm[2], 0.25);
+  EXPECT_EQ(media.at("red sauce").sigmaSPrimePerMm, findMedium("ketchup")->sigmaSPrimePerMm);
+  EXPECT_TRUE(mediaOf(folder / "cube.ply").empty());
+  test::writeBytes(file, "[media.jelly]\neta = 1.3\n");
+  EXPECT_THAT(test::messageOf([&] { mediaOf(file); }), HasSubstr("a.toml"));
 }
 
 TEST_F(Toml, AMissingModelIsNamed) {
