@@ -31,7 +31,7 @@ constexpr std::array commands{
     Command{"view", "a window to change light, medium, motion and method", runView},
 #endif
     Command{"compare", "error figures between two images, and a heat map", runCompare},
-    Command{"reference", "the same still on the CPU, exactly, to judge render", runReference},
+    Command{"reference", "the same pictures on the CPU, exactly, to judge render", runReference},
     Command{"bench", "times, errors and scaling on this machine's device", runBench},
     Command{"info", "contents of a scene, its repairs and atlas; the devices", runInfo},
     Command{"media", "the media, their coefficients and reflectances", runMedia},
