@@ -187,5 +187,48 @@ TEST_F(BoundaryObjectsTest, NoLightSeepsFromOneIntoAnother) {
   EXPECT_GT(brightestOf(picture, 0), 0.01);
 }
 
+// A glowing square below a ball, which few of a cluster's rays meet. Light does not get far in the
+// ball, so its exitance goes with the irradiance of the square, ∫ cos cos / r² dA.
+TEST_F(BoundaryObjectsTest, AGlowingSquareLightsABallEvenly) {
+  constexpr double radiusMm = 10;
+  constexpr double below = 25;  // the ball's middle, mm
+  constexpr float halfMm = 5;
+  Scene scene = sceneOf(sphere({0, 0, 0}, radiusMm, 5), dense(), {0, -60, -60}, 11);
+  Object square{"square", sheet({0, 0, -below}, {halfMm, 0, 0}, {0, halfMm, 0}, 4), {}};
+  square.opaque = OpaqueMaterial{.baseColor = {0, 0, 0}, .emission = {1, 1, 1}};
+  scene.objects.push_back(square);
+  const auto irradianceAt = [](const Vector& at) {
+    constexpr int steps = 10;
+    double sum = 0;
+    for (int i = 0; i < steps * steps; ++i) {
+      const double u = (i % steps + 0.5) / steps * 2 - 1;
+      const double v = (i / steps + 0.5) / steps * 2 - 1;
+      const Vector away = Vector{halfMm * u, halfMm * v, -below} - at;
+      const double squared = dot(away, away);
+      sum += std::max(dot(unit(at), away), 0.0) * std::max(-away[2], 0.0) / (squared * squared);
+    }
+    return sum;
+  };
+  RenderOptions options = boundaryOptions(128, 1);
+  options.maxSurfels = 65'536;
+  const std::vector<Image> images =
+      renderBoundary(scene, options, {Aov::Exitance, Aov::Position}).images;
+  std::vector<double> ratios;
+  forEachCovered(images[0], [&](std::size_t i) {
+    const Vector at = toVector(&images[1].rgba[i]);
+    if (length(at) < 0.9 * radiusMm || at[2] > -0.7 * radiusMm) return;
+    ratios.push_back(static_cast<double>(images[0].rgba[i + 1]) / irradianceAt(at));
+  });
+  ASSERT_GT(ratios.size(), 500U);
+  double sum = 0;
+  double squares = 0;
+  for (const double ratio : ratios) {
+    sum += ratio;
+    squares += ratio * ratio;
+  }
+  const double mean = sum / static_cast<double>(ratios.size());
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(ratios.size()) - mean * mean) / mean, 0.19);
+}
+
 }  // namespace
 }  // namespace opaline

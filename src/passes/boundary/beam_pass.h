@@ -9,6 +9,7 @@
 #include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
+#include "shaders/boundary/entered_around.comp.h"
 #include "shaders/boundary/guided.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
 #include "shaders/boundary/reentry.comp.h"
@@ -106,6 +107,8 @@ class BeamPass {
 
   /// Variants without code for paint, or for linings, if the scene has none.
   static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
+  /// Likewise, or for one body alone.
+  static Variants<shaders::BoundaryReentry> makeReentry(gpu::Device& device, bool withPaint);
 
   VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< indexed by paint, then linings
   std::uint32_t sharers_;                        ///< invocations that share the paths of a beam
@@ -124,7 +127,8 @@ class BeamPass {
   Variants<shaders::BoundarySourceCoefficients> sourceCoefficients_;
   Variants<shaders::BoundarySingleCoefficients> singleForwardCoefficients_;
   gpu::Compute<shaders::BoundarySingleCoefficients> singleEvenCoefficients_;
-  Variants<shaders::BoundaryReentry> reentry_;
+  VariantsOfTwo<shaders::BoundaryReentry> reentry_;  ///< indexed by paint, then other bodies
+  Variants<shaders::BoundaryEnteredAround> enteredAround_;
 };
 
 }  // namespace opaline::passes

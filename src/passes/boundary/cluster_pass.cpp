@@ -306,6 +306,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);
+  if (surfels.firstOfObject.size() > 2)
+    clusters.fromAfar = makeRoom<shared::vec4>(device, "diffuse light from afar", count);
   clusters.enteredBefore = makeRoom<shared::vec4>(device, "diffuse light that entered", count);
   clusters.power = makeRoom<shared::vec4>(device, "power of a bounce", 1);
   clusters.nearby = makeRoom<shared::vec4>(device, "nearby exitances", count);

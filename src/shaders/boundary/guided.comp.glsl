@@ -4,8 +4,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_CLUSTER_NODES 0
+#include "lib/around_cluster.glsl"
 #include "lib/cluster_node.glsl"
-#include "lib/cluster_weight.glsl"
 #include "lib/linear.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/whole_sums.glsl"
@@ -52,10 +52,8 @@ vec3 exitanceAround(uint i) {
   for (uint at = list + 1u; at < end; ++at) {
     uint leaf = around[at];
     uint j = firstSurfelOf(floatBitsToUint(centroidLinkOf(leaf).w));
-    vec3 offset = clusters[j].centroidArea.xyz - place;
-    float reach = spreadOf(leaf).z;
-    float near = max(1.0 - dot(offset, offset) / max(reach * reach, 1e-30), 0.0);
-    float weight = near * max(dot(normal, clusters[j].normal.xyz), leastFacing);
+    float weight = weightAround(clusters[j].centroidArea.xyz - place, normal, clusters[j].normal.xyz,
+                                spreadOf(leaf).z);
     sum += weight * (ofLights * sumsOf(0u, j) + ofEverywhere * sumsOf(1u, j));
     area += weight * clusters[j].centroidArea.w;
   }

@@ -5,9 +5,8 @@
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_PAINTS 10
-#include "lib/boundary.glsl"
+#include "lib/diffuse_power.glsl"
 #include "lib/linear.glsl"
-#include "lib/paint.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
@@ -17,8 +16,9 @@ layout(std430, set = 0, binding = 6) readonly buffer EnteredBefore { vec4 entere
 layout(std430, set = 0, binding = 7) readonly buffer Arrived { vec4 arrived[]; };
 layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer FromAfar { vec4 fromAfar[]; };
 
-layout(constant_id = 0) const uint withPaint = 0u;
+layout(constant_id = 1) const uint withOthers = 0u;  // 1: entered_around.comp.glsl adds light from afar
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -26,22 +26,32 @@ layout(push_constant) uniform Push {
   uint isFirst;  // 1: adds light that was mirrored on arrival
 };
 
+// Where light comes from afar, in radii of the cluster that it enters.
+const float nearInRadii = 4.0;
+const float farInRadii = 8.0;
+
+float shareFromAfar(Cluster cluster, vec3 place) {
+  return withOthers == 0u ? 0.0
+                          : smoothstep(nearInRadii, farInRadii,
+                                       distance(place, cluster.centroidArea.xyz) / max(cluster.normal.w, 1e-15));
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
+  Cluster cluster = clusters[i];
   vec3 sum = vec3(0.0);
+  vec3 far = vec3(0.0);
   for (uint k = 0u; k < raysOutwards; ++k) {
     Meeting meeting = meetings[i * raysOutwards + k];
     if (meeting.cluster == noCluster) continue;
-    sum += meeting.share *
-           mix(enteredBefore[meeting.cluster].rgb, latest[meeting.cluster].rgb, meeting.transmitted);
+    vec3 light = meeting.share * mix(enteredBefore[meeting.cluster].rgb, latest[meeting.cluster].rgb, meeting.transmitted);
+    sum += light;
+    if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
   }
-  Cluster cluster = clusters[i];
-  BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   float area = cluster.centroidArea.w;
   if (isFirst != 0u && area > 0.0) sum += arrived[i].rgb / area;
-  entered[i] = vec4(sum, 0.0);
-  vec3 power = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
-  if (withPaint != 0u) power *= clusterPaints[i].entering.rgb;
-  strengths[i].rgb = power;
+  entered[i] = vec4(sum - far, 0.0);
+  if (withOthers != 0u) fromAfar[i] = vec4(far, 0.0);
+  strengths[i].rgb = diffusePower(i, cluster, insideOf(objects[ranges[i].object]), sum);
 }
