@@ -73,8 +73,12 @@ struct Measures {
   double volume = 0;   ///< with the fans closing the component
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};
-  std::uint32_t anyPoint = 0;
+  std::size_t firstTriangle = 0;
 };
+
+Double3 cornerOf(const RawMesh& mesh, const Triangle& triangle, std::size_t corner) {
+  return toDouble(mesh.positions[triangle[corner]]);
+}
 
 /// Closes each open loop of a component by a fan, and adds the fans to its measures.
 void addFans(const RawMesh& mesh, std::span<const Triangle> surface,
@@ -111,7 +115,7 @@ void addFans(const RawMesh& mesh, std::span<const Triangle> surface,
     for (std::size_t i = begin; i < end; ++i) {
       const Double3 from = toDouble(mesh.positions[sides[i].from]);
       const Double3 to = toDouble(mesh.positions[sides[i].to]);
-      const Double3 origin = toDouble(mesh.positions[of.anyPoint]);
+      const Double3 origin = cornerOf(mesh, surface[of.firstTriangle], 0);
       of.fanArea += 0.5 * length(areaVector(centre, to, from));
       of.volume += dot(centre - origin, cross(to - origin, from - origin)) / 6.0;
     }
@@ -123,13 +127,13 @@ std::vector<Measures> measure(const RawMesh& mesh, std::span<const Triangle> sur
   std::vector<Measures> measures(patches.count);
   for (std::size_t t = 0; t < surface.size(); ++t) {
     Measures& of = measures[patches.component[t]];
-    if (of.triangles == 0) of.anyPoint = surface[t][0];
+    if (of.triangles == 0) of.firstTriangle = t;
     ++of.triangles;
     of.against += patches.against[t] ? 1U : 0U;
-    const Double3 origin = toDouble(mesh.positions[of.anyPoint]);
-    const std::array<Double3, 3> corner{toDouble(mesh.positions[surface[t][0]]),
-                                        toDouble(mesh.positions[surface[t][1]]),
-                                        toDouble(mesh.positions[surface[t][2]])};
+    const Double3 origin = cornerOf(mesh, surface[of.firstTriangle], 0);
+    const std::array<Double3, 3> corner{cornerOf(mesh, surface[t], 0),
+                                        cornerOf(mesh, surface[t], 1),
+                                        cornerOf(mesh, surface[t], 2)};
     of.area += 0.5 * length(areaVector(corner[0], corner[1], corner[2]));
     const double tetrahedron =
         dot(corner[0] - origin, cross(corner[1] - origin, corner[2] - origin)) / 6.0;
@@ -157,21 +161,20 @@ int verdict(const Measures& m) {
 }
 
 /// Whether `p` lies inside the closed component: counts crossings of a ray along +x by the sign of
-/// areas in the yz-plane. They are half-open, so that a shared edge counts once.
+/// areas in the yz-plane. They are half-open and both triangles of an edge cut it in the same turn,
+/// so that it counts once even where rounding decides on which side it passes.
 bool isInside(const Double3& p, const RawMesh& mesh, std::span<const Triangle> surface,
               const Patches& patches, std::uint32_t component) {
   bool inside = false;
   for (std::size_t t = 0; t < surface.size(); ++t) {
     if (patches.component[t] != component) continue;
-    const std::array<Double3, 3> c{toDouble(mesh.positions[surface[t][0]]) - p,
-                                   toDouble(mesh.positions[surface[t][1]]) - p,
-                                   toDouble(mesh.positions[surface[t][2]]) - p};
     // First where the outline meets the line y = 0, then where z = 0 lies between those two places.
     std::array<Double3, 2> cut{};
     int cuts = 0;
     for (std::size_t i = 0; i < 3 && cuts < 2; ++i) {
-      const Double3& a = c[i];
-      const Double3& b = c[(i + 1) % 3];
+      const auto [first, second] = std::minmax(surface[t][i], surface[t][(i + 1) % 3]);
+      const Double3 a = toDouble(mesh.positions[first]) - p;
+      const Double3 b = toDouble(mesh.positions[second]) - p;
       if ((a[1] > 0) == (b[1] > 0)) continue;
       const double s = a[1] / (a[1] - b[1]);
       cut[static_cast<std::size_t>(cuts++)] = a + s * (b - a);
@@ -191,7 +194,10 @@ constexpr std::size_t cavityBudget = 200'000'000;
 bool isCavity(std::uint32_t inner, const RawMesh& mesh, std::span<const Triangle> surface,
               const Patches& patches, const std::vector<Measures>& measures, std::size_t& steps) {
   steps += measures.size();
-  const Double3 p = toDouble(mesh.positions[measures[inner].anyPoint]);
+  // Not a corner, with which a cavity may touch the surface around it.
+  const Triangle& t = surface[measures[inner].firstTriangle];
+  const Double3 p =
+      (1.0 / 3.0) * (cornerOf(mesh, t, 0) + cornerOf(mesh, t, 1) + cornerOf(mesh, t, 2));
   std::size_t around = 0;
   for (std::uint32_t outer = 0; outer < measures.size(); ++outer) {
     const Measures& m = measures[outer];

@@ -228,6 +228,37 @@ TEST(Repair, CavitiesStay) {
   EXPECT_NEAR(volumeOf(mesh), 64 - 8, 1e-5);
 }
 
+// An edge whose ends lie exactly opposite each other as seen from the cavity's first corner, or
+// from the middle of its first triangle. Rounding decides on which side of it a ray passes.
+TEST(Repair, CavitiesStayBehindAnEdge) {
+  for (const Vec3& at : {Vec3{0, 0, 0}, Vec3{-0.25F, -0.5F, 0}}) {
+    RawMesh hole = cube(at, 0.75F);
+    for (Triangle& t : hole.triangles) test::turn(t);
+    for (int k = 1; k <= 200; ++k) {
+      const auto y = static_cast<float>(17 + k % 7);
+      const auto z = static_cast<float>(5 + k % 11);
+      const auto away = static_cast<float>(3 + k);
+      RawMesh mesh;
+      mesh.positions = {{9, 5 * y, 5 * z}, {9, -away * y, -away * z}, {-9, -99, 99}, {-9, 99, -99}};
+      mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+      if (volumeOf(mesh) < 0)
+        for (Triangle& t : mesh.triangles) test::turn(t);
+      test::append(mesh, hole);
+      EXPECT_TRUE(repairMesh(mesh, "hollow").empty()) << k;
+    }
+  }
+}
+
+TEST(Repair, CavitiesStayThatTouchTheirBody) {
+  RawMesh mesh = cube({0, 0, 0}, 4);
+  RawMesh hole;
+  hole.positions = {{0, 0, 0}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}};
+  hole.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  ASSERT_LT(volumeOf(hole), 0);
+  test::append(mesh, hole);
+  EXPECT_EQ(countOf(repairMesh(mesh, "touched"), "inward orientation"), 0U);
+}
+
 TEST(Repair, OpenBodiesAreToldByTheVolumeTheyAlmostEnclose) {
   RawMesh open = ball(8, 12);
   open.triangles.resize(open.triangles.size() - 14);  // one segment is missing
