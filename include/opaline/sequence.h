@@ -14,9 +14,9 @@ namespace opaline {
 class OPALINE_API MeshSequence {
  public:
   /// `pattern` is a path whose last part has exactly one %d or %0Nd, such as frame_%04d.ply. Finds
-  /// the smallest number that exists, from 0 to 999999, and all that follow without a gap. Reads
-  /// the first file. Throws Error when there is none, or when the first is not one object without
-  /// motion.
+  /// the smallest number that exists, from 0 to 999999, and all that follow without a gap, which it
+  /// notes. Reads the first file. Throws Error when there is none, or when the first is not one
+  /// object without motion.
   explicit MeshSequence(const std::filesystem::path& pattern, const LoadOptions& options = {});
   /// For the library itself: a scene file that names a sequence.
   struct State;

@@ -81,6 +81,17 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
                         nameIn(name, object), lost));
 }
 
+/// To be turned changes what a surface encloses, so it is said although it is among the repairs.
+void noteTurned(const std::vector<Repair>& repairs, const std::string& name,
+                const LogCallback& log) {
+  for (const Repair& repair : repairs) {
+    if (repair.what != "inward orientation") continue;
+    note(log, fmt::format("{}: {} triangles faced inwards and were turned outwards; only a closed "
+                          "surface inside another of the same object stays a cavity",
+                          name, repair.count));
+  }
+}
+
 /// Counts in `hidden` what the object's own material has and the medium does not show.
 void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene,
                      std::vector<NotShown>& hidden) {
@@ -140,11 +151,14 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
   if (raw.objects.empty()) {
     throw Error(fmt::format("{}: there is no triangle mesh in it", name));
   }
+  std::vector<Repair> ofFile;
   for (RawObject& object : raw.objects) {
     const std::vector<Repair> mended = repairMesh(object.mesh, nameIn(name, object));
-    for (const Repair& repair : mended) addRepair(repairs, repair.what, repair.count);
+    for (const Repair& repair : mended) addRepair(ofFile, repair.what, repair.count);
     noteLostFaces(mended, object, name, log);
   }
+  for (const Repair& repair : ofFile) addRepair(repairs, repair.what, repair.count);
+  noteTurned(ofFile, name, log);
   double factor = raw.mmPerUnit.value_or(1.0);
   if (!raw.mmPerUnit) {
     factor = assumedDiagonalMm / diagonalOf(boundsOf(raw));

@@ -56,6 +56,32 @@ class Info(ProgramTest):
         self.assertEqual(closed["triangles_without_inside"], 0)
         self.assertNotIn("is open", self.succeed("info", "cube.obj").out)
 
+    def test_a_sequence(self):
+        for number in (3, 4, 6, 7):
+            self.write(f"f_{number:04}.obj", CUBE_OBJ)
+        run = self.succeed("info", "f_%04d.obj")
+        self.assertIn("\nsequence of 2 files, f_0003.obj to f_0004.obj\n", run.out)
+        gap = "f_0005.obj is missing, so the sequence ends with the file before it, although f_0006.obj is there"
+        self.assertIn(gap, run.err)
+        self.assertEqual(self.succeed("info", "f_%04d.obj", "--json").json()["sequence"],
+                         {"files": 2, "first": "f_0003.obj", "last": "f_0004.obj"})
+        self.assertIn(gap, self.succeed("render", "f_%04d.obj", "--size", "8x8", "-o", "a.png").err)
+        self.write("f_0005.obj", CUBE_OBJ)
+        run = self.succeed("info", "f_%04d.obj")
+        self.assertIn("sequence of 5 files", run.out)
+        self.assertNotIn("missing", run.err)
+        self.assertIsNone(self.succeed("info", "f_0003.obj", "--json").json()["sequence"])
+
+    def test_what_was_turned_is_noted(self):
+        inward = CUBE_OBJ.splitlines()
+        for i, line in enumerate(inward):
+            if line.startswith("f "):
+                inward[i] = "f " + " ".join(reversed(line.split()[1:]))
+        self.write("cube.obj", "\n".join(inward) + "\n")
+        said = "cube.obj: 12 triangles faced inwards and were turned outwards"
+        for command in (("info",), ("render", "--size", "8x8", "-o", "a.png")):
+            self.assertEqual(self.succeed(*command, "cube.obj").err.count(said), 1)
+
     def test_what_moves(self):
         self.write("cube.obj", CUBE_OBJ)
         self.write("scene.toml", 'model = "cube.obj"\nmorph_to = "cube.obj"\n'

@@ -67,6 +67,8 @@ class Keys(ProgramTest):
         self.write("painted.toml", 'model = "named.obj"\n[materials.paint]\nkind = "opaque"\n'
                    'base_color_texture = "grey.png"\n[objects.named]\nmaterial = "paint"\n')
         found |= keys(self.printed("info", "painted.toml"))
+        self.write("s_1.obj", CUBE_OBJ)
+        found = found - {"sequence"} | keys(self.printed("info", "s_%d.obj"))
         self.expect("info", without_medium(found, "objects[].medium"))
 
     def test_media_and_profile(self):

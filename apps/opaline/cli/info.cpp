@@ -31,6 +31,7 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/scene_file.h"
+#include "opaline/sequence.h"
 #include "opaline/tone.h"
 
 namespace opaline::app {
@@ -191,6 +192,13 @@ Json devicesJson(const LogCallback& log) {
   return devices;
 }
 
+Json sequenceJson(const MeshSequence* sequence) {
+  if (sequence == nullptr) return {};
+  return {{"files", sequence->frameCount()},
+          {"first", sequence->file(sequence->firstNumber()).string()},
+          {"last", sequence->file(sequence->lastNumber()).string()}};
+}
+
 Json atlasJson(const AtlasStatistics& statistics) {
   return {{"charts", statistics.charts},
           {"coverage", statistics.coverage},
@@ -198,7 +206,7 @@ Json atlasJson(const AtlasStatistics& statistics) {
           {"seconds", statistics.seconds}};
 }
 
-Json collect(const Scene& scene, const LogCallback& log) {
+Json collect(const Scene& scene, const MeshSequence* sequence, const LogCallback& log) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const Object& object : scene.objects) {
@@ -231,6 +239,7 @@ Json collect(const Scene& scene, const LogCallback& log) {
           {"bounds_max_mm", bounds.maxMm},
           {"diagonal_mm", diagonalMm(scene)},
           {"clips", clipsJson(scene)},
+          {"sequence", sequenceJson(sequence)},
           {"repairs", std::move(repairs)},
           {"not_shown", std::move(notShown)},
           {"materials", materialsJson(scene)},
@@ -312,6 +321,11 @@ std::string sceneText(const Scene& scene, const Json& facts) {
   }
   text += bodiesText(facts["objects"]);
   text += motionText(scene);
+  if (const Json& sequence = facts["sequence"]; !sequence.is_null()) {
+    const int files = sequence["files"].get<int>();
+    text += fmt::format("sequence of {} file{}, {} to {}\n", files, files == 1 ? "" : "s",
+                        sequence["first"].get<std::string>(), sequence["last"].get<std::string>());
+  }
   for (const Repair& repair : scene.repairs) {
     text += fmt::format("repaired: {} {}\n", repair.count, repair.what);
   }
@@ -357,7 +371,7 @@ void runInfo(const Arguments& arguments) {
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  Json facts = collect(scene, log);
+  Json facts = collect(scene, loaded.sequence.get(), log);
   if (command.atlas) {
     facts["atlas"] = writeAtlas(scene, *command.atlas);
     log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));

@@ -63,6 +63,8 @@ MeshFiles::MeshFiles(const fs::path& pattern, const std::optional<fs::path>& mor
   const std::vector<int> numbers = numbersOf(*name_, pattern);
   first_ = last_ = numbers.front();
   for (const int number : numbers) last_ += number == last_ + 1 ? 1 : 0;
+  const auto next = std::upper_bound(numbers.begin(), numbers.end(), last_);
+  if (next != numbers.end()) nextAfterGap_ = *next;
 }
 
 fs::path MeshFiles::file(int number) const {
@@ -71,6 +73,11 @@ fs::path MeshFiles::file(int number) const {
 
 RawScene MeshFiles::loadFirst(const LogCallback& log) {
   const fs::path from = file(first_);
+  if (nextAfterGap_) {
+    note(log, fmt::format("{} is missing, so the sequence ends with the file before it, although "
+                          "{} is there",
+                          shown(file(last_ + 1)), shown(file(*nextAfterGap_))));
+  }
   RawScene raw = loadModel(from, log);
   RawMesh& mesh = onlyStillObject(raw, shown(from), purpose).mesh;
   faces_ = faceListOf(mesh);

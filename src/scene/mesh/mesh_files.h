@@ -26,6 +26,7 @@ class MeshFiles {
   int last() const { return last_; }
   std::filesystem::path file(int number) const;
 
+  /// Notes a gap that ends the sequence.
   RawScene loadFirst(const LogCallback& log);
   void followRepairs(const RawScene& repaired);
   /// Removes the rig from the scene.
@@ -39,6 +40,7 @@ class MeshFiles {
   std::optional<NumberedName> name_;
   int first_ = 0;
   int last_ = 0;
+  std::optional<int> nextAfterGap_;
   FaceList faces_;
   std::vector<std::uint32_t> origin_;  // per vertex of the scene, the file's vertex
   Matrix4 toScene_;
