@@ -151,6 +151,21 @@ class FilmOfPictures(Row):
         self.succeed("render", *TEAPOT, "--medium", "jade", "--frames", "2:2", "-o", "f%d.png")
         self.assertIn("1 of 4 pictures, ./f2.png among them", self.succeed("film", ".", "--check").err)
 
+    def test_pictures_with_another_camera_light_motion_or_rate_are_noted(self):
+        def render(frames, *others, **changed):
+            options = {"--camera-position": "0,0,200", "--fps": "12.5", "--deform": "wobble:0.1:0.7"} | changed
+            self.succeed("render", *TEAPOT[:TEAPOT.index("--deform")], *(part for pair in options.items() for part in pair),
+                         "--frames", frames, "-o", "f%d.png", *others)
+        render("0:3")
+        self.assertEqual(self.succeed("film", ".", "--check").err, "note: all 4 frames are whole.\n")
+        for other in ({"--camera-position": "0,9,200"}, {"--ambient": "1,0,0"}, {"--deform": "wobble:0.2:0.7"},
+                      {"--fps": 24}, {"--exposure": 1}):
+            render("2:2", **other)
+            self.assertIn("1 of 4 pictures, ./f2.png among them", self.succeed("film", ".", "--check").err, other)
+            # As the note says.
+            render("0:3", "--resume")
+            self.assertEqual(self.succeed("film", ".", "--check").err, "note: all 4 frames are whole.\n", other)
+
     def test_refusals(self):
         (self.folder / "empty").mkdir()
         self.write_row("two", range(2))

@@ -32,6 +32,10 @@ std::string settingsText(const RenderOptions& options, const std::optional<ToneO
   return text + fmt::format("tree_level {}\n", options.treeLevel);
 }
 
+std::string digestText(const std::string& text) {
+  return fmt::format("{:016x}", digestOf(std::as_bytes(std::span(text))));
+}
+
 std::uint64_t digestOfFile(const std::filesystem::path& file) {
   constexpr std::size_t mostBytes = std::size_t{1} << 31U;
   return digestOf(readFile(file, mostBytes));
@@ -64,10 +68,13 @@ Json readable(const PictureMakers& makers) {
 std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
                                                   const FrameRange& frames) {
   const std::string ofAll =
-      fmt::format("{}\nscene {:016x}\n{}clip {}\nvariable {}\nmethod {}\n", OPALINE_VERSION,
+      fmt::format("{}\nscene {:016x}\n{}clip {}\nvariable {}\nmethod {}\nfps {}\n", OPALINE_VERSION,
                   digestOf(makers.scene), settingsText(makers.options, makers.tone), makers.clip,
-                  static_cast<int>(makers.aov), makers.method.dump());
-  return [ofAll, frames, json = readable(makers), sequence = makers.sequence](int frame) {
+                  static_cast<int>(makers.aov), makers.method.dump(), frames.perSecond);
+  Json readableOfAll = readable(makers);
+  readableOfAll["fps"] = frames.perSecond;
+  readableOfAll["row"] = digestText(ofAll);
+  return [ofAll, frames, json = std::move(readableOfAll), sequence = makers.sequence](int frame) {
     std::string all = ofAll + fmt::format("seconds {}\n", frames.seconds(frame));
     if (sequence) {
       const std::uint64_t mesh = digestOfFile(sequence->file(numberOfFrame(*sequence, frame)));
@@ -75,7 +82,7 @@ std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
     }
     Json stamp = json;
     stamp["seconds"] = frames.seconds(frame);
-    stamp["digest"] = fmt::format("{:016x}", digestOf(std::as_bytes(std::span(all))));
+    stamp["digest"] = digestText(all);
     return stamp.dump(-1, ' ', true, Json::error_handler_t::replace);
   };
 }
@@ -91,15 +98,19 @@ bool isSamePicture(const std::string& stamp, const std::string& other) {
 }
 
 bool isSameRow(const std::string& stamp, const std::string& other) {
-  const auto withoutTime = [](const std::string& text) {
-    Json json = Json::parse(text, nullptr, false);
-    if (json.is_object()) {
-      json.erase("seconds");
-      json.erase("digest");
-    }
-    return json;
+  if (stamp == other) return true;
+  Json a = Json::parse(stamp, nullptr, false);
+  Json b = Json::parse(other, nullptr, false);
+  if (!a.is_object() || !b.is_object()) return a == b;
+  const auto erase = [&](const char* key) {
+    a.erase(key);
+    b.erase(key);
   };
-  return stamp == other || withoutTime(stamp) == withoutTime(other);
+  for (const char* ofFrame : {"seconds", "digest"}) erase(ofFrame);
+  // Older stamps lack these.
+  for (const char* later : {"fps", "row"})
+    if (!a.contains(later) || !b.contains(later)) erase(later);
+  return a == b;
 }
 
 std::optional<double> secondsOf(const std::string& stamp) {

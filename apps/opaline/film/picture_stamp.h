@@ -26,17 +26,18 @@ struct PictureMakers {
   Json method = Json::object();  ///< how the light is found, in words and numbers; stamps have it
 };
 
-/// The stamp of each frame. It says what made the frame, as JSON of printable ASCII, and has a
-/// digest of everything that decides the pixels: the scene as it was read, whatever its files are
-/// called, and the program's version. Thread-safe.
+/// The stamp of each frame. It says what made the frame, as JSON of printable ASCII. Its `row` is a
+/// digest of all that the frames share: the scene as it was read, whatever its files are called,
+/// the options, the frame rate and the program's version. Its `digest` is of that, the frame's time
+/// and its mesh, and so of everything that decides the pixels. Thread-safe.
 std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
                                                   const FrameRange& frames);
 
 /// Whether two stamps have the same digest.
 bool isSamePicture(const std::string& stamp, const std::string& other);
 
-/// Whether both come from one scene with the same options, at any time, as far as their readable
-/// parts tell.
+/// Whether both come from one scene with the same options, at any time. Where one is older and
+/// has no `row`, their readable parts decide.
 bool isSameRow(const std::string& stamp, const std::string& other);
 
 /// The time that the picture shows; none where the text is not a stamp.
