@@ -86,7 +86,15 @@ class FilmOfPictures(Row):
         self.assertEqual(run.json(), {"frames": [2, 6], "frame_step": 1, "fps": 12.5, "outputs": ["a.mp4"]})
         self.assertEqual(self.probe("a.mp4"), {"width": 24, "height": 16, "r_frame_rate": "25/2", "nb_read_frames": "5"})
         run = self.succeed("film", "f_%04d.png", "-o", "b.mp4", "--frames", "2:6:2", "--fps", 24)
+        self.assertNotIn("even", run.err)
         self.assertEqual((self.probe("b.mp4")["nb_read_frames"], self.probe("b.mp4")["r_frame_rate"]), ("3", "24/1"))
+
+    @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
+    def test_an_odd_size_is_noted_once(self):
+        self.write_row("shot", range(3), size=(31, 16))
+        run = self.succeed("film", "shot", "-o", "a.mp4")
+        self.assertEqual(run.err.count("this one of 31x16 has 32x16"), 1)
+        self.assertEqual((self.probe("a.mp4")["width"], self.probe("a.mp4")["height"]), (32, 16))
 
     @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
     def test_it_is_named_like_the_folder(self):

@@ -318,6 +318,7 @@ class Mp4(Film):
                   "r_frame_rate": "12/1", "color_space": "bt709", "color_primaries": "bt709",
                   "color_transfer": "bt709", "color_range": "tv"}
         self.assertEqual(self.probe("film.mp4", ",".join(wanted)), wanted)
+        self.assertIn("this one of 33x17 has 34x18", run.err)
         film = self.bytes_of("film.mp4")
         self.assertLess(film.index(b"moov"), film.index(b"mdat"), "a player can begin before it has all")
 

@@ -59,6 +59,14 @@ void requireFfmpeg() {
   static_cast<void>(foundFfmpeg());
 }
 
+std::optional<std::string> noteOnFilmSize(int width, int height) {
+  if (width == even(width) && height == even(height)) return std::nullopt;
+  return fmt::format(
+      "films have an even width and height, so this one of {}x{} has {}x{}, with its last row or "
+      "column twice",
+      width, height, even(width), even(height));
+}
+
 FilmEncoder::FilmEncoder(const fs::path& file, int width, int height, double framesPerSecond)
     : width_(even(width)),
       height_(even(height)),

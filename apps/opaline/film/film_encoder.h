@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "cli/child_process.h"
@@ -10,6 +11,9 @@ namespace opaline::app {
 
 /// Throws Error with a remedy when the program ffmpeg is missing.
 void requireFfmpeg();
+
+/// A sentence about what becomes of a film of an odd size; none for an even one.
+std::optional<std::string> noteOnFilmSize(int width, int height);
 
 /// Makes a film of H.264 in yuv420p, which everything plays, by the program ffmpeg. That format
 /// halves the resolution of colour, so an odd size gets its last row or column twice.

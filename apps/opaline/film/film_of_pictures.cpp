@@ -101,12 +101,14 @@ void readAll(const PictureRow& row, bool quiet, const Take& take) {
 }
 
 fs::path encode(const PictureRow& row, const Target& target, double framesPerSecond,
-                const ToneOptions& tone, bool quiet) {
+                const ToneOptions& tone, bool quiet, const LogCallback& log) {
   std::optional<FilmEncoder> encoder;
   WholeFile file(target);
   try {
     readAll(row, quiet, [&](const Image& picture) {
       if (!encoder) {
+        if (const auto note = noteOnFilmSize(picture.width, picture.height))
+          log(LogLevel::Note, *note);
         encoder.emplace(file.temporary(), picture.width, picture.height, framesPerSecond);
       }
       encoder->add(toneMap(picture, tone));
@@ -156,7 +158,7 @@ void runFilm(const Arguments& arguments) {
   } else {
     const double speed =
         command.framesPerSecond.value_or(framesPerSecondOf(row).value_or(frames.perSecond));
-    const fs::path file = encode(row, target, speed, tone, command.quiet);
+    const fs::path file = encode(row, target, speed, tone, command.quiet, log);
     log(LogLevel::Note,
         fmt::format("wrote {} frames to {}", frames.count(), nameText(file, target.path)));
     report["fps"] = speed;

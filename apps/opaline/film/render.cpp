@@ -17,6 +17,7 @@
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
 #include "film/film.h"
+#include "film/film_encoder.h"
 #include "film/film_output.h"
 #include "film/frames_asked_for.h"
 #include "film/framing.h"
@@ -116,6 +117,10 @@ RenderJob prepareRender(const RenderCommand& command, Target output, const LogCa
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
+  if (isFilm(output.path)) {
+    const auto size = noteOnFilmSize(options.width, options.height);
+    if (size) log(LogLevel::Note, *size);
+  }
   return {std::move(scene), std::move(settings), options, time, tone, std::move(output),
           filesOf(source),  std::move(sequence)};
 }
