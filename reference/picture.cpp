@@ -51,6 +51,11 @@ std::vector<Place> placesOf(const PictureOptions& options) {
   return places;
 }
 
+/// Where in a pixel its samples are.
+std::span<const std::array<double, 2>> offsetsOf(const PictureOptions& options) {
+  return antialiasingOffsets(options.aov == Aov::Radiance ? options.antialias : 1);
+}
+
 /// The sum over a pixel's samples.
 struct PixelSum {
   Colour value{};
@@ -71,7 +76,7 @@ class Painter {
         environmentBehind_(options.environmentBehind),
         pictureWidth_(static_cast<std::uint64_t>(options.width)),
         rays_(geometry.scene().camera, options.width, options.height),
-        offsets_(antialiasingOffsets(aov_ == Aov::Radiance ? options.antialias : 1)) {}
+        offsets_(offsetsOf(options)) {}
 
   PixelSum pixel(const Place& place) const {
     PixelSum sum;
@@ -250,6 +255,19 @@ Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const L
 
 bool showsExitance(Aov aov) {
   return aov == Aov::Radiance || aov == Aov::Exitance;
+}
+
+bool seesMedia(const Geometry& geometry, const PictureOptions& options) {
+  requireSound(options);
+  const CameraRays rays(geometry.scene().camera, options.width, options.height);
+  const auto offsets = offsetsOf(options);
+  return std::ranges::any_of(placesOf(options), [&](const Place& place) {
+    return std::ranges::any_of(offsets, [&](const std::array<double, 2>& offset) {
+      const Ray ray = rays.through(place.x, place.y, offset);
+      const auto hit = geometry.closestHit(ray.origin, ray.direction);
+      return hit && !geometry.scene().bodies[hit->point.body].opaque;
+    });
+  });
 }
 
 Picture makePicture(const Geometry& geometry, const Irradiance& irradiance,

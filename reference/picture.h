@@ -88,6 +88,9 @@ struct Picture {
 /// Whether the variable depends on the light that leaves the surface.
 bool showsExitance(Aov aov);
 
+/// Whether a chosen pixel shows a translucent body. Throws UsageError for options out of range.
+bool seesMedia(const Geometry& geometry, const PictureOptions& options);
+
 /// Called now and then, by one thread at a time but not always the same one.
 using PictureProgress = std::function<void(std::size_t done, std::size_t total)>;
 

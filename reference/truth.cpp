@@ -16,7 +16,8 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
                             const IntegralOptions& integral, const PictureOptions& picture,
                             const PictureProgress& progress) {
   std::optional<Integral> exact;
-  if (showsExitance(picture.aov)) exact.emplace(geometry, irradiance, integral);
+  if (showsExitance(picture.aov) && seesMedia(geometry, picture))
+    exact.emplace(geometry, irradiance, integral);
   const LeavingLight light{
       [&](const SurfacePoint& point) { return exact->at(point); },
       exitFactors(geometry.scene(), integral.transport),

@@ -94,6 +94,14 @@ class Pictures(Reference):
         self.assertLess(abs(figures["rel_bias"]), .03)
         self.assertLess(figures["block"]["covered_rel_rmse"], .1)
 
+    def test_a_region_that_sees_nothing_is_said(self):
+        # Without the corner of the picture, the integral of so fine a body would take minutes.
+        run = self.succeed("reference", "--builtin", "bear", "--size", "64x64", "--integral", "--tolerance", 1e-5,
+                           "--region", "0,0,4,4", "-o", "a.exr")
+        self.assertIn("the camera sees nothing of the scene in this --region", run.err)
+        self.assertNotIn("estimated error", run.err)
+        self.assertEqual(read_exr((self.folder / "a.exr").read_bytes()).covered(), [])
+
     def test_region_and_every(self):
         whole = self.reference("--aov", "exitance")
         part = self.reference("--aov", "exitance", "--region", "3,2,7,6", "--every", 2)
@@ -190,6 +198,12 @@ class Paths(Reference):
         for model, words in (("open.obj", "closed bodies only"), ("cube.obj", None)):
             run = self.succeed("reference", model, *self.SCENE[1:], *self.SAMPLES, "--quiet", "-o", "a.exr")
             self.assertRegex(run.err, f"^warning: .*{words}.*\n$" if words else "^$")
+
+    def test_closed_bodies_that_overlap_have_no_gaps(self):
+        self.write("other.obj", CUBE_OBJ.replace("v 0 ", "v 0.5 ").replace("v 1 ", "v 1.5 "))
+        run = self.succeed("reference", "cube.obj", "other.obj", *self.SCENE[1:], *self.SAMPLES, "--quiet", "-o", "a.exr")
+        self.assertRegex(run.err, "^warning: .* % of the light was lost where bodies overlap.*\n$")
+        self.assertNotIn("gaps", run.err)
 
     def test_darkness_ends(self):
         self.assertEqual(self.exr("reference", "--path", "--aov", "exitance", "--directional", "0,0,1:0,0,0").centre(),

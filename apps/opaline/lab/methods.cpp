@@ -105,7 +105,7 @@ Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Method
   limits.seconds = order.truthSeconds;
   order.status("following light through the body");
   methods.truthsOwnError = rf::runPaths(tracer, error, limits);
-  warnOfLostLight(tracer, order.log);
+  warnOfLostLight(tracer, geometry.scene(), order.log);
   return reference::pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
 }
 

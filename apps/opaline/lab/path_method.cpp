@@ -6,8 +6,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cli/frame_names.h"
 #include "cli/paths.h"
@@ -15,6 +18,7 @@
 #include "cli/values.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "opaline/mesh.h"
 #include "reference/truth.h"
 
 namespace opaline::app {
@@ -31,16 +35,39 @@ constexpr std::array orders{std::pair{"unscattered", rf::Order::Unscattered},
                             std::pair{"single", rf::Order::Single},
                             std::pair{"multiple", rf::Order::Multiple}};
 
+bool areClosed(const rf::Scene& scene) {
+  struct Surface {
+    std::vector<Vec3> positionsMm;
+    std::vector<Triangle> triangles;
+  };
+  std::map<std::uint32_t, Surface> wholes;
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+    const rf::Body& body = scene.bodies[i];
+    if (body.opaque) continue;
+    Surface& whole = wholes[rf::wholeOf(scene, i)];
+    const auto first = static_cast<std::uint32_t>(whole.positionsMm.size());
+    for (const rf::Vector& p : body.positionsMm) whole.positionsMm.push_back(rf::toFloat(p));
+    for (const Triangle& t : body.triangles)
+      whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return std::ranges::all_of(wholes, [](const auto& whole) {
+    return factsOf(whole.second.positionsMm, whole.second.triangles).closed;
+  });
+}
+
 }  // namespace
 
-void warnOfLostLight(const rf::PathTracer& tracer, const LogCallback& log) {
+void warnOfLostLight(const rf::PathTracer& tracer, const rf::Scene& scene, const LogCallback& log) {
   // A closed mesh only loses the particles, a few in a million, that rounding lets through an edge.
   constexpr double most = 1e-3;
   const double lost = std::max({tracer.lostShare(0), tracer.lostShare(1), tracer.lostShare(2)});
   if (lost <= most) return;
-  log(LogLevel::Warning, fmt::format("{:.2g} % of the light slipped through gaps of the surface "
-                                     "and was lost; --path is correct for closed bodies only",
-                                     100 * lost));
+  const char* const why =
+      areClosed(scene)
+          ? "was lost where bodies overlap; --path is correct for bodies that stand apart"
+          : "slipped through gaps of the surface and was lost; --path is correct for closed bodies "
+            "only";
+  log(LogLevel::Warning, fmt::format("{:.2g} % of the light {}", 100 * lost, why));
 }
 
 void PathMethod::addTo(CommandLine& line) {
@@ -195,7 +222,7 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
     for (const auto& [name, order] : orders)
       report["left_flux"][name].push_back(tracer.leftFlux(c, order));
   }
-  warnOfLostLight(tracer, run.log);
+  warnOfLostLight(tracer, geometry.scene(), run.log);
   return reference::pathTruth(tracer, geometry, irradiance, picture);
 }
 

@@ -60,7 +60,9 @@ class PathMethod {
   std::optional<std::filesystem::path> checkpoint_;
 };
 
-/// Warns where so much light slipped through gaps of the surface that the result is not the truth.
-void warnOfLostLight(const reference::PathTracer& tracer, const LogCallback& log);
+/// Warns where so much light slipped through gaps of the surface, or was lost where bodies overlap,
+/// that the result is not the truth.
+void warnOfLostLight(const reference::PathTracer& tracer, const reference::Scene& scene,
+                     const LogCallback& log);
 
 }  // namespace opaline::app

@@ -171,12 +171,23 @@ Json reportJson(const ReferenceCommand& command, const ReferenceJob& job) {
           {"outputs", Json::array()}};
 }
 
+/// What is known of one picture or of the worst of several.
+struct Exactness {
+  bool seesAny = false;  ///< some pixel shows the scene
+  rf::ErrorSummary error;
+  double blockError = 0;
+};
+
 /// Notes what was written, and how exact it is. Single pixels of a path-traced picture are noise,
 /// and pixels without particles show nothing, so blocks are judged.
 void noteWritten(const ReferenceCommand& command, const std::string& what, double seconds,
-                 const rf::ErrorSummary& error, double blockError, const LogCallback& log) {
+                 const Exactness& exactness, const LogCallback& log) {
+  const auto& [seesAny, error, blockError] = exactness;
   std::string note = fmt::format("wrote {}, in {:.1f} s", what, seconds);
-  if (rf::showsExitance(command.picture.aov())) {
+  if (!seesAny) {
+    log(LogLevel::Note, fmt::format("the camera sees nothing of the scene{}",
+                                    command.region ? " in this --region" : ""));
+  } else if (rf::showsExitance(command.picture.aov())) {
     note += command.integral ? fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
                                            error.mean, error.largest)
                              : fmt::format("; standard error of 8x8 blocks {:.2g}", blockError);
@@ -189,8 +200,8 @@ Json makeStill(const ReferenceCommand& command, const ReferenceJob& job, const L
   const Made made = makeAt(moment, command, job, {{}, {}, command.quiet, log});
   const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
   const double seconds = secondsSince(job.begin);
-  noteWritten(command, nameText(file, job.output.path), seconds, made.picture.error,
-              made.blockError, log);
+  noteWritten(command, nameText(file, job.output.path), seconds,
+              {made.picture.pixels > 0, made.picture.error, made.blockError}, log);
   Json report = reportJson(command, job);
   report["triangles"] = made.triangles;
   report["vertices"] = made.vertices;
@@ -218,7 +229,7 @@ class ReferenceFilm {
     }
     output_.finish();
     noteWritten(command_, fmt::format("{} frames to {}", made_, output_.file().string()),
-                secondsSince(job_.begin), worst_, worstBlockError_, log_);
+                secondsSince(job_.begin), worst_, log_);
   }
 
  private:
@@ -230,8 +241,9 @@ class ReferenceFilm {
         makeAt(moment, command_, job_,
                {frame, fmt::format("frame {}/{}, ", ++made_, missing), command_.quiet, log_});
     const rf::ErrorSummary& error = made.picture.error;
-    worst_ = {std::max(worst_.mean, error.mean), 0, std::max(worst_.largest, error.largest)};
-    worstBlockError_ = std::max(worstBlockError_, made.blockError);
+    worst_ = {worst_.seesAny || made.picture.pixels > 0,
+              {std::max(worst_.error.mean, error.mean), 0, std::max(worst_.error.largest, error.largest)},
+              std::max(worst_.blockError, made.blockError)};
     report["triangles"] = made.triangles;
     report["vertices"] = made.vertices;
     Json picture{{"frame", frame}};
@@ -249,8 +261,7 @@ class ReferenceFilm {
   LogCallback log_;
   FilmOutput output_;
   std::size_t made_ = 0;
-  rf::ErrorSummary worst_;
-  double worstBlockError_ = 0;
+  Exactness worst_;
 };
 
 Json makeFrames(const ReferenceCommand& command, const ReferenceJob& job,
