@@ -54,25 +54,34 @@ BlockError::BlockError(const PathTracer& tracer, const Geometry& geometry, const
       if (!block.empty()) rows[row].push_back(std::move(block));
     }
   });
+  blocksOfPicture_ = rows.size() * static_cast<std::size_t>((width + blockEdge - 1) / blockEdge);
   for (std::vector<Block>& row : rows) std::ranges::move(row, std::back_inserter(blocks_));
 }
 
-double BlockError::operator()() const {
-  double squares = 0;
-  double sum = 0;
+BlockError::Sums BlockError::sums() const {
+  Sums sums;
   for (const std::vector<Share>& block : blocks_) {
     for (const Share& share : block) {
       const Exitance exitance = tracer_.exitanceOfCell(share.cell);
       for (std::size_t c = 0; c < 3; ++c) {
         const double weight = share.pixels / pixelsOfBlock;
-        sum += weight * exitance.value[c];
-        squares += std::pow(weight * exitance.error[c], 2);
+        sums.values += weight * exitance.value[c];
+        sums.squaredErrors += std::pow(weight * exitance.error[c], 2);
       }
     }
   }
-  if (!(sum > 0)) return blocks_.empty() || !tracer_.shines() ? 0 : INFINITY;
+  return sums;
+}
+
+double BlockError::operator()() const {
+  const Sums found = sums();
+  if (!(found.values > 0)) return blocks_.empty() || !tracer_.shines() ? 0 : INFINITY;
   const double values = 3.0 * static_cast<double>(blocks_.size());
-  return std::sqrt(squares / values) / (sum / values);
+  return std::sqrt(found.squaredErrors / values) / (found.values / values);
+}
+
+double BlockError::ofPicture() const {
+  return std::sqrt(sums().squaredErrors / (3.0 * static_cast<double>(blocksOfPicture_)));
 }
 
 double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& limits,

@@ -29,6 +29,9 @@ class BlockError {
              int height, const std::stop_token& stop = {});
 
   double operator()() const;
+  /// The same rms over all blocks of the picture, in the unit of exitance. A block's value is the
+  /// sum over the pixels that show media, divided by the number of pixels in a whole block.
+  double ofPicture() const;
 
  private:
   struct Share {
@@ -36,12 +39,19 @@ class BlockError {
     double pixels = 0;
   };
   using Block = std::vector<Share>;
+  /// Over blocks and channels.
+  struct Sums {
+    double values = 0;
+    double squaredErrors = 0;
+  };
+  Sums sums() const;
 
   static Block blockAt(int left, int top, int right, int bottom, const PathTracer& tracer,
                        const Geometry& geometry, const CameraRays& rays);
 
   const PathTracer& tracer_;
   std::vector<Block> blocks_;  ///< those that show a medium
+  std::size_t blocksOfPicture_;
 };
 
 /// Called after every batch.

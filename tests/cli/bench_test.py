@@ -97,10 +97,18 @@ class Methods(ProgramTest):
         self.assertIn("evaluations", lines[1])
         # Without a picture of the truth it traces one.
         self.assertTrue(lines[1].endswith("to truth, blocks"))
-        self.assertRegex(last, r"^the truth's own standard error: [\d.]+ % of a block$")
+        self.assertRegex(last, r"^the truth's own standard error, in blocks too: [\d.]+ %$")
         for line in lines[2:]:
             self.assertRegex(line, r" [\d.]+ %$")
             self.assertNotIn(" - ", line)
+
+    def test_the_truths_own_error_has_the_unit_of_the_others(self):
+        self.write("t.ply", tetrahedron(1))
+        order = ("bench", "methods", *self.SCENE, "--size", 16, "--frames", 1)
+        found = self.succeed(*order, "--seconds", 0.2, "--json").json()
+        # Blocks over the rim weigh less than whole ones.
+        self.assertLess(found["truth_own_rel_rmse"], found["truth_block_error"])
+        self.assertGreater(found["truth_own_rel_rmse"], found["truth_block_error"] / 5)
 
     def test_without_any_truth_there_is_no_column_of_it(self):
         self.write("t.ply", tetrahedron(1))
@@ -205,9 +213,17 @@ class Scaling(ProgramTest):
             self.assertLess(row["rel_rmse"], row["tolerance"])
         self.assertIn("<svg", (self.folder / "plot.svg").read_text())
 
+    def test_what_is_open_has_no_clusters(self):
+        self.write("t.ply", tetrahedron(1).replace("face 4", "face 3").removesuffix("3 1 2 3\n"))
+        order = ("bench", "scaling", "t.ply", "--medium", "marble", "--size", 8, "--frames", 1, "--max-surfels", 16384)
+        out = self.succeed(*order).out
+        self.assertIn("Frames of better-dipole, as nothing has an inside for boundary transport", out)
+        self.assertNotIn("clusters", out)
+
     def test_tables(self):
         out = self.measure(size=16).out
-        for part in ("every budget is too small", "sigma_tr", "1.30", "tolerance", "evaluations"):
+        for part in ("every budget is too small", "sigma_tr", "1.30", "tolerance", "evaluations",
+                     "Frames of boundary transport", "clusters"):
             self.assertIn(part, out)
 
     def test_refusals(self):

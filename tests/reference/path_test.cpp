@@ -14,6 +14,7 @@
 #include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
 #include "reference/path_fixture.h"
+#include "reference/truth.h"
 
 namespace opaline::reference {
 namespace {
@@ -257,6 +258,46 @@ TEST(PathTest, ConeCountsWhatLeavesTowardsTheCamera) {
     EXPECT_LT(error, 0.05 * entered);
     EXPECT_NEAR(sums[i] / areas[i], entered, 3 * error) << i;
   }
+}
+
+// Against how far apart pictures of the same light are in fact.
+TEST(PathTest, TheErrorOfAPictureIsWhatItsBlocksDifferBy) {
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 3), 1, 0.02, 1.3));
+  scene.camera.positionMm = {0, 0, 30};
+  scene.lighting.ambient = {1, 1, 1};
+  const Geometry geometry(scene);
+  const Irradiance irradiance(geometry);
+  constexpr int edge = 40;
+  constexpr std::size_t blocks = 25;
+  PictureOptions picture;
+  picture.width = picture.height = edge;
+  picture.aov = Aov::Exitance;
+  const auto meansOfBlocks = [&](const PathTracer& tracer) {
+    const Image image = pathTruth(tracer, geometry, irradiance, picture).image;
+    std::array<double, 3 * blocks> means{};
+    for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+      const std::size_t block = i / edge / 8 * 5 + i % edge / 8;
+      for (std::size_t c = 0; c < 3; ++c)
+        means[3 * block + c] += static_cast<double>(image.rgba[4 * i + c]) / 64;
+    }
+    return means;
+  };
+  constexpr int pairs = 12;
+  double squares = 0;
+  double said = 0;
+  for (std::uint64_t seed = 1; seed <= pairs; ++seed) {
+    PathTracer a(geometry, {.seed = 2 * seed});
+    PathTracer b(geometry, {.seed = 2 * seed + 1});
+    a.run(1000);
+    b.run(1000);
+    const auto meansA = meansOfBlocks(a);
+    const auto meansB = meansOfBlocks(b);
+    for (std::size_t i = 0; i < meansA.size(); ++i)
+      squares += std::pow(meansA[i] - meansB[i], 2) / (2 * pairs * 3 * blocks);
+    said += BlockError(a, geometry, CameraRays(scene.camera, edge, edge), edge, edge).ofPicture() /
+            pairs;
+  }
+  EXPECT_NEAR(said / std::sqrt(squares), 1, 0.1);
 }
 
 // More particles could not make it more precise.

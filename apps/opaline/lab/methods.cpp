@@ -95,7 +95,18 @@ bool hasInside(const Scene& scene) {
   });
 }
 
-/// Exitance of light that is traced through the bodies. The error of the result goes to `methods`.
+double meanOfCovered(const Image& image) {
+  double sum = 0;
+  std::size_t values = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] <= 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) sum += double{image.rgba[i + c]};
+    values += 3;
+  }
+  return values > 0 ? sum / static_cast<double>(values) : 0;
+}
+
+/// Exitance of light that is traced through the bodies. The errors of the result go to `methods`.
 Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Methods& methods) {
   const rf::Irradiance irradiance(geometry);
   rf::PathTracer tracer(geometry, {});
@@ -104,9 +115,12 @@ Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Method
   rf::PathLimits limits;
   limits.seconds = order.truthSeconds;
   order.status("following light through the body");
-  methods.truthsOwnError = rf::runPaths(tracer, error, limits);
+  methods.truthsBlockError = rf::runPaths(tracer, error, limits);
   warnOfLostLight(tracer, geometry.scene(), order.log);
-  return reference::pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
+  Image truth = reference::pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
+  if (const double mean = meanOfCovered(truth); mean > 0)
+    methods.truthsOwnError = error.ofPicture() / mean;
+  return truth;
 }
 
 /// The truth that was given, or else one traced here if the scene has an inside.
@@ -203,7 +217,8 @@ Json toJson(const Methods& methods) {
   return {{"scene", methods.scene},
           {"size", {methods.edgePixels, methods.edgePixels}},
           {"device", deviceJson(methods.device)},
-          {"truth_block_error", orNull(methods.truthsOwnError)},
+          {"truth_block_error", orNull(methods.truthsBlockError)},
+          {"truth_own_rel_rmse", orNull(methods.truthsOwnError)},
           {"rows", std::move(rows)}};
 }
 
@@ -222,7 +237,7 @@ std::string toReadable(const Methods& methods) {
         percent(row.truthError));
   }
   if (methods.truthsOwnError)
-    text += fmt::format("the truth's own standard error: {:.2f} % of a block\n",
+    text += fmt::format("the truth's own standard error, in blocks too: {:.2f} %\n",
                         100 * *methods.truthsOwnError);
   return text;
 }

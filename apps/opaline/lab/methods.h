@@ -44,7 +44,10 @@ struct Methods {
   std::string scene;
   int edgePixels = 0;
   bool hasTruth = false;
-  std::optional<double> truthsOwnError;  ///< standard error of its blocks, if it was traced here
+  /// Standard errors of the truth, if it was traced here: as MethodRow::truthError, and rms over
+  /// the mean block.
+  std::optional<double> truthsOwnError;
+  std::optional<double> truthsBlockError;
   std::vector<MethodRow> rows;
 };
 

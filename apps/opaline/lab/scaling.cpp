@@ -1,5 +1,6 @@
 #include "lab/scaling.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -153,6 +154,8 @@ Scaling measureScaling(const ScalingOrder& order) {
   scaling.tolerances = measureTolerances(order, scaling.device);
   scaling.budgets = measureBudgets(order, scaling.denserBy);
   scaling.frames = measureFrames(order);
+  scaling.hasInside = std::ranges::any_of(
+      scaling.frames, [](const FrameScaling& series) { return series.varied == "clusters"; });
   clearStatus();
   return scaling;
 }

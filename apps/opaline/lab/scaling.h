@@ -42,7 +42,8 @@ struct FrameScalingRow {
   double frameMilliseconds = 0;
 };
 
-/// Times of frames with boundary transport, the default.
+/// Times of frames with boundary transport, the default, or with what stands for it where nothing
+/// has an inside.
 struct FrameScaling {
   std::string varied;  ///< surfels, clusters, lights or pixels
   std::vector<FrameScalingRow> rows;
@@ -54,6 +55,7 @@ struct FrameScaling {
 std::optional<double> fittedExponent(const std::vector<FrameScalingRow>& rows,
                                      double FrameScalingRow::*time);
 
+/// Without clusters where nothing has an inside.
 std::vector<FrameScaling> measureFrames(const ScalingOrder& order);
 
 /// The rows of a series are measured in turns, so that they can be compared.
@@ -67,6 +69,7 @@ struct Scaling {
   std::vector<ScalingRow> diffusion;   ///< value: divisor of σ_tr in every channel
   std::vector<ScalingRow> tolerances;  ///< value: the tolerance, falling
   std::vector<FrameScaling> frames;
+  bool hasInside = true;  ///< anything, for boundary transport
 };
 
 Scaling measureScaling(const ScalingOrder& order);

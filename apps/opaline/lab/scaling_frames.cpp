@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -58,9 +59,10 @@ class FrameMeasurement {
     return renderer;
   }
 
-  void add(std::shared_ptr<Renderer> renderer, const RenderOptions& options) {
+  View& add(std::shared_ptr<Renderer> renderer, const RenderOptions& options) {
     View view(*renderer, options);
     ways_.push_back({std::move(renderer), std::move(view), 0, {}});
+    return ways_.back().view;
   }
 
   /// Renders one frame of each way in turn, again and again, so that other load on the machine
@@ -103,7 +105,13 @@ FrameScaling measureSurfels(const ScalingOrder& order) {
                              [](const View& view) { return view.report().sources; });
 }
 
-FrameScaling measureClusters(const ScalingOrder& order) {
+bool hasClusters(View& view) {
+  Frame done;
+  renderFrame(view, {}, done);
+  return view.report().clusters > 0;
+}
+
+std::optional<FrameScaling> measureClusters(const ScalingOrder& order) {
   FrameMeasurement measurement(order, "clusters");
   const int mostClusters = order.mostSurfels / surfelsOfCluster;
   const double denserBy = densityFor(order.scene, surfelsAskedWithCluster * mostClusters);
@@ -112,7 +120,8 @@ FrameScaling measureClusters(const ScalingOrder& order) {
     RenderOptions options = measurement.options();
     options.maxSurfels = order.mostSurfels;
     options.maxClusters = std::max(mostClusters / part, fewestClusters);
-    measurement.add(renderer, options);
+    View& view = measurement.add(renderer, options);
+    if (part == clusterParts.front() && !hasClusters(view)) return std::nullopt;
   }
   return measurement.measure({"clusters", "rays", "coefficients", "sources", "solve", "carry"},
                              [](const View& view) { return view.report().clusters; });
@@ -178,8 +187,11 @@ std::optional<double> fittedExponent(const std::vector<FrameScalingRow>& rows,
 }
 
 std::vector<FrameScaling> measureFrames(const ScalingOrder& order) {
-  return {measureSurfels(order), measureClusters(order), measureLights(order),
-          measurePixels(order)};
+  std::vector<FrameScaling> frames{measureSurfels(order)};
+  if (auto clusters = measureClusters(order)) frames.push_back(std::move(*clusters));
+  frames.push_back(measureLights(order));
+  frames.push_back(measurePixels(order));
+  return frames;
 }
 
 }  // namespace opaline::app

@@ -152,7 +152,10 @@ std::string toReadable(const Scaling& scaling) {
     const std::optional<double>& error = scaling.tolerances[i].error;
     text += line(scaling.tolerances, i, error ? fmt::format("{:.3f} %", 100 * *error) : "-");
   }
-  text += "\nFrames of boundary transport, as multiples of each table's first\n";
+  text += fmt::format("\nFrames of {}, as multiples of each table's first\n",
+                      scaling.hasInside
+                          ? "boundary transport"
+                          : "better-dipole, as nothing has an inside for boundary transport");
   for (const FrameScaling& series : scaling.frames) text += readable(series);
   return text;
 }
