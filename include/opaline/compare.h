@@ -96,7 +96,8 @@ OPALINE_API double meanOverCovered(const Image& image);
 OPALINE_API double heatmapTop(const Plane& errors, const Selection& selection);
 
 /// Relative errors as colors in perceptually equal steps from 0 to `top`, which is above 0, with a
-/// scale in percent at the right. Pixels that are not selected are white.
+/// scale in percent at the right. Pixels that are not selected are white; if every N-th column and
+/// row is selected, each selected pixel fills a square of NxN.
 OPALINE_API Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top);
 
 /// Andersson et al. 2020's usual viewer: 0.7 m from a 0.7 m wide screen of 3840 pixels.

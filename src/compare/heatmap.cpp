@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "compare/color_map.h"
@@ -44,6 +45,29 @@ Layout layOut(int mapWidth, int mapHeight) {
   layout.barHeight = layout.height - 2 * layout.barTop;
   layout.width = layout.barLeft + (bar + tick + characters * glyphAdvance) * layout.scale;
   return layout;
+}
+
+/// How far apart the selected pixels are, if they are those of every N-th column and row: then 1 or
+/// more lie N beside others, and N below.
+int spacingOf(const Selection& selection, int width) {
+  int spacing = 0;
+  const auto pixelsAcross = static_cast<std::size_t>(width);
+  for (std::size_t i = 0; i < selection.size(); ++i) {
+    if (selection[i] == 0) continue;
+    spacing = std::gcd(spacing, static_cast<int>(i % pixelsAcross));
+    spacing = std::gcd(spacing, static_cast<int>(i / pixelsAcross));
+    if (spacing == 1) return 1;
+  }
+  const auto step = static_cast<std::size_t>(spacing);
+  bool beside = false;
+  bool below = false;
+  for (std::size_t i = 0; i < selection.size(); ++i) {
+    if (selection[i] == 0) continue;
+    const std::size_t under = i + step * pixelsAcross;
+    beside = beside || (i % pixelsAcross + step < pixelsAcross && selection[i + step] != 0);
+    below = below || (under < selection.size() && selection[under] != 0);
+  }
+  return spacing > 1 && beside && below ? spacing : 1;
 }
 
 /// Steps of a scale: five, four and five for 1, 2 and 5 times a power of ten.
@@ -101,6 +125,7 @@ Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) 
                           static_cast<std::size_t>(layout.height),
                       255);
   fillRectangle(picture, 0, 0, layout.width, layout.height, white);
+  const int spacing = spacingOf(selection, errors.width);
   for (int y = 0; y < errors.height; ++y) {
     for (int x = 0; x < errors.width; ++x) {
       const std::size_t pixel =
@@ -108,7 +133,8 @@ Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) 
           static_cast<std::size_t>(x);
       if (selection[pixel] == 0) continue;
       const Rgb8 color = perceptualColor(static_cast<double>(errors.values[pixel]) / top);
-      fillRectangle(picture, x, y, 1, 1, color);
+      fillRectangle(picture, x, y, std::min(spacing, errors.width - x),
+                    std::min(spacing, errors.height - y), color);
     }
   }
   drawScale(picture, layout, top);

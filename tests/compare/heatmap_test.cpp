@@ -48,6 +48,35 @@ TEST(Heatmap, TheScaleEndsAtARoundNumberAboveNearlyAll) {
   EXPECT_DOUBLE_EQ(heatmapTop(plane(20, 10, values), Selection(200, 1)), 10);
 }
 
+// The coverage of a picture of 7x5 pixels of which every third column and row was rendered.
+TEST(Heatmap, PixelsOnAGridFillItsSquares) {
+  Plane errors(7, 5);
+  Selection selection(35);
+  const auto select = [&](std::size_t x, std::size_t y, float error) {
+    selection[7 * y + x] = 1;
+    errors.values[7 * y + x] = error;
+  };
+  select(3, 0, 0.1F);
+  select(6, 0, 0.2F);
+  select(3, 3, 0.2F);
+  const Image8 picture = drawHeatmap(errors, selection, 0.2);
+  const Rgb8 white{255, 255, 255};
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 7; ++x) {
+      const Rgb8 wanted = x < 3             ? white
+                          : y < 3 && x < 6  ? perceptualColor(0.5)
+                          : y >= 3 && x > 5 ? white
+                                            : perceptualColor(1);
+      EXPECT_EQ(at(picture, x, y), wanted) << x << ", " << y;
+    }
+  }
+  // The rest of a mask may lie on a grid by chance.
+  selection.assign(35, 0);
+  select(3, 0, 0.1F);
+  select(6, 3, 0.1F);
+  EXPECT_EQ(at(drawHeatmap(errors, selection, 0.2), 4, 1), white);
+}
+
 TEST(Heatmap, ShowsErrorsInPlaceAndTheScaleBeside) {
   const Plane errors = plane(2, 2, {0.0F, 0.1F, 0.2F, 5.0F});
   const Image8 picture = drawHeatmap(errors, {1, 1, 0, 1}, 0.2);
