@@ -37,9 +37,10 @@ namespace opaline {
 
 namespace {
 
-bool hasOpaque(const Scene& scene) {
-  return std::any_of(scene.objects.begin(), scene.objects.end(),
-                     [](const Object& object) { return object.opaque.has_value(); });
+const Object* firstOpaque(const Scene& scene) {
+  const auto found = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                  [](const Object& object) { return object.opaque.has_value(); });
+  return found != scene.objects.end() ? &*found : nullptr;
 }
 
 bool hasPaint(const Scene& scene) {
@@ -51,10 +52,11 @@ bool hasOwnSurfaces(const Scene& scene) {
 }
 
 void requireKnownToPattern(const Scene& scene) {
-  if (hasOpaque(scene))
-    throw UsageError(
-        "the pattern lights no opaque bodies and no ground; the sums tree and all do, and "
-        "LoadOptions::medium makes bodies translucent");
+  if (const Object* const opaque = firstOpaque(scene))
+    throw UsageError(fmt::format(
+        "the pattern lights no opaque bodies and no ground, and object '{}' is opaque; the sums "
+        "tree and all do, and LoadOptions::medium makes bodies translucent",
+        opaque->name));
   if (hasPaint(scene))
     throw UsageError("the pattern knows no paint, and a body is painted; the sums tree and all do");
   if (std::any_of(scene.objects.begin(), scene.objects.end(), hasOwnNormals))
@@ -243,7 +245,7 @@ class View::Implementation {
     FramePlan plan = planFor(options_, order, order.onDevice || outputs.over != nullptr,
                              order.exitance || !outputs.exitances.empty());
     plan.time = edited.time();
-    plan.opaque = hasOpaque(edited.scene());
+    plan.opaque = firstOpaque(edited.scene()) != nullptr;
     plan.painted = hasPaint(edited.scene());
     plan.ownSurfaces = hasOwnSurfaces(edited.scene());
     plan.mirrorsBodies = mirrorsBodies(plan, edited.scene());

@@ -41,6 +41,9 @@ class Render(ProgramTest):
 
 
 class Outputs(Render):
+    def test_what_the_pattern_cannot_light_is_named(self):
+        self.refused(2, "render", *PATTERN, "--ground", "-o", "a.png", says="object 'ground' is opaque")
+
     def test_the_built_in_bear(self):
         run = self.succeed("render", "--size", "128x96")
         self.assertEqual(run.out, "")
