@@ -241,9 +241,10 @@ class ReferenceFilm {
         makeAt(moment, command_, job_,
                {frame, fmt::format("frame {}/{}, ", ++made_, missing), command_.quiet, log_});
     const rf::ErrorSummary& error = made.picture.error;
-    worst_ = {worst_.seesAny || made.picture.pixels > 0,
-              {std::max(worst_.error.mean, error.mean), 0, std::max(worst_.error.largest, error.largest)},
-              std::max(worst_.blockError, made.blockError)};
+    worst_ = {
+        worst_.seesAny || made.picture.pixels > 0,
+        {std::max(worst_.error.mean, error.mean), 0, std::max(worst_.error.largest, error.largest)},
+        std::max(worst_.blockError, made.blockError)};
     report["triangles"] = made.triangles;
     report["vertices"] = made.vertices;
     Json picture{{"frame", frame}};
