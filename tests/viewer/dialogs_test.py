@@ -214,6 +214,20 @@ class Dialogs(WindowTest):
         self.assertIsNone(window.process.poll())
         self.assertIn(sign, window.state()["controls"], "it goes on")
 
+    def test_where_nothing_can_be_written(self):
+        """That is not where later files go."""
+        window = self.view("cube.obj", *CORNERS, "--size", "760x600", folder=self.work)
+        window.only("Save")
+        window.click("Save/picture...")
+        self.await_listed(window, "name")
+        window.use(20, "type", "/proc/none")
+        window.key("Return")
+        window.wait_for(lambda: "/proc/none.png" in window.state()["message"], "nothing was said of it")
+        window.settle()
+        window.key("p")
+        self.await_message(window, "saved cube.png")
+        window.close()
+
     def test_the_desktops_dialog(self):
         """A program in its place notes what it was asked, and answers with a name of two lines."""
         programs = self.folder / "programs"

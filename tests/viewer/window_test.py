@@ -175,21 +175,75 @@ class Sizes(WindowTest):
 
 
 class Response(WindowTest):
-    def test_a_click_is_seen_while_the_device_works(self):
+    def setUp(self):
+        super().setUp()
         if self.succeed("info", "--json").json()["devices"][0]["type"] != "software":
             self.skipTest("pictures come at once")
-        window = self.view("--size", "640x480", "--antialias", "4", "--medium", "jade")
+
+    def assert_seen_before_a_picture(self, window, begin):
+        """What `begin` asks for takes a while, in which a panel can be folded."""
         window.only("Medium")
         frames = window.state()["frames"]
-        window.press("Medium/marble")
+        begin()
         window.press("Medium")
         window.wait_for(lambda: "Medium/marble" not in window.state()["controls"], "the click was never seen")
         self.assertEqual(window.state()["frames"], frames, "it was seen only after the picture")
-        self.assertFalse(window.state()["idle"])
         window.wait_for(lambda: window.state()["message"] == "rendering", "no sign that it is busy")
         window.settle()
-        self.assertEqual(window.state()["message"], "")
         self.assertGreater(window.state()["frames"], frames)
+
+    def test_a_click_is_seen_while_a_scene_is_prepared(self):
+        """For the paper's method the first time."""
+        window = self.view("--size", "480x400", "--antialias", "4")
+        self.assert_seen_before_a_picture(window, lambda: window.use(2, "key", "c"))
+        window.close()
+
+    def test_a_film_is_stopped_at_once(self):
+        window = self.view("--size", "760x700", "--transport", "dipole")
+        window.only("Save")
+        window.choose("Save/size", "3840 x 2160")
+        window.save_as("film")
+        window.wait_for(lambda: "Save/stop the film" in window.state()["controls"], "no film is made")
+        before = self.count_drawings(window, 1)
+        self.assertGreater(before, 3, "the window is drawn meanwhile")
+        window.press("Save/stop the film")
+        window.wait_for(lambda: window.state()["message"] == "the film was stopped", "it was not stopped")
+        window.wait_for(lambda: "Save/film..." in window.state()["controls"], "another one cannot be made")
+        window.choose("Save/size", "as in the window")
+        window.settle()
+        self.assertEqual(list(self.folder.glob("*.mp4*")), [])
+        window.close()
+
+    @staticmethod
+    def count_drawings(window, seconds):
+        """The times that the window was drawn meanwhile."""
+        count, last, end = 0, window.places.stat().st_mtime_ns, time.monotonic() + seconds
+        while time.monotonic() < end:
+            now = window.places.stat().st_mtime_ns
+            count, last = count + (now != last), now
+            time.sleep(.01)
+        return count
+
+    def test_nothing_is_seen_while_the_last_picture_is_awaited(self):
+        window = self.view("--size", "1200x900", "--antialias", "8", "--medium", "jade")
+        (self.config / "opaline" / "view.json").unlink(missing_ok=True)
+        window.press("Medium/marble")
+        window.wait_for(lambda: window.state()["message"] == "rendering", "no sign that it is busy")
+        window.xdotool("key", "ctrl+q")
+        window.wait_for(lambda: not self.is_visible(window), "it stays on the screen")
+        self.assertTrue((self.config / "opaline" / "view.json").exists())
+        window.await_end()
+
+    @staticmethod
+    def is_visible(window):
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Opaline"], env=window.environment,
+                               capture_output=True, text=True, check=False)
+        return bool(found.stdout.split())
+
+    def test_a_click_is_seen_while_the_device_works(self):
+        window = self.view("--size", "640x480", "--antialias", "4", "--medium", "jade")
+        self.assert_seen_before_a_picture(window, lambda: window.press("Medium/marble"))
+        self.assertEqual(window.state()["message"], "")
         window.close()
 
 

@@ -48,7 +48,7 @@ Viewer::Viewer(const ViewerOptions& options)
       files_(state_.openFolder),
       poke_(renderer_),
       sequence_(renderer_),
-      saver_(renderer_),
+      saver_(renderer_, stage_.isApart()),
       truth_(presenting_.device()) {
   session_.gizmos = state_.handles;
   session_.scaleBar = state_.scaleBar;
@@ -56,7 +56,9 @@ Viewer::Viewer(const ViewerOptions& options)
   open(options_.source);
 }
 
-Viewer::~Viewer() = default;
+Viewer::~Viewer() {
+  stage_.await();  // others need the renderer to be destroyed
+}
 
 void Viewer::keepState() {
   const auto [width, height] = window_.size();
@@ -114,7 +116,7 @@ bool Viewer::movesItself() const {
 }
 
 bool Viewer::isIdle() const {
-  return awake_ == 0 && !window_.hasInputs() && !movesItself() && !saver_.filming() &&
+  return awake_ == 0 && !window_.hasInputs() && !movesItself() && !saver_.keepsRenderer() &&
          !session_.edits.any() && !stage_.isUnderWay() && !announced_;
 }
 
@@ -131,7 +133,7 @@ void Viewer::sleepUntilNeeded() {
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // the animation does not play while the window sleeps
   } else {
-    if (stage_.isUnderWay() && !window_.hasInputs()) {
+    if ((stage_.isUnderWay() || saver_.isBusy()) && !window_.hasInputs()) {
       waitBesideDevice();
     } else {
       Window::poll();
@@ -141,14 +143,17 @@ void Viewer::sleepUntilNeeded() {
   if (window_.takeRefresh() || window_.hasInputs()) awake_ = framesAfterEvent;
 }
 
-// Waits until the picture under way is done, or long enough that the controls must be drawn again.
-// Drawing them more often would slow the device down.
+// Waits until the picture or the film's frame under way is done, or long enough that the controls
+// must be drawn again. Drawing them more often would slow the device down.
 void Viewer::waitBesideDevice() const {
   constexpr double betweenLooks = 0.005;
   constexpr std::chrono::milliseconds betweenDrawings(80);
+  const auto isWorking = [this] {
+    return saver_.isBusy() || (stage_.isUnderWay() && !stage_.hasNews());
+  };
   do {
     Window::wait(betweenLooks);
-  } while (stage_.isBusy() && Clock::now() - last_ < betweenDrawings);
+  } while (isWorking() && Clock::now() - last_ < betweenDrawings);
 }
 
 void Viewer::advance(double elapsed) {
@@ -220,7 +225,7 @@ void Viewer::followEdits() {
 }
 
 void Viewer::placeBody() {
-  if (poke_.holdsBody() || saver_.filming()) return sequence_.forget();
+  if (poke_.holdsBody() || saver_.keepsRenderer()) return sequence_.forget();
   try {
     sequence_.place(session_);
   } catch (const std::exception& error) {
@@ -232,7 +237,7 @@ void Viewer::placeBody() {
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
   // A film shows the scene as it was when the film began, so edits wait for its end.
-  if (!stage_.hasScene() || stage_.isBusy() || saver_.filming()) return;
+  if (!stage_.hasScene() || stage_.isBusy() || saver_.keepsRenderer()) return;
   if (poke_.step()) session_.edits.picture = true;
   if (area.empty()) return;
   const bool moving = moves();
@@ -241,6 +246,7 @@ void Viewer::drawPicture() {
   if (session_.edits.ground && ImGui::IsAnyItemActive()) return;
   // A picture drawn for speed is drawn again in full once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
+  if (stage_.wouldBlock(session_) && !announce()) return;
   rough_ = moving;
   drawn_ = area;
   exposing_ = exposing_ || session_.edits.lighting;
@@ -248,12 +254,14 @@ void Viewer::drawPicture() {
   try {
     if (session_.edits.ground) setGround();
     placeBody();
+    undo_.markTried();
     stage_.draw(session_, area.width, area.height, moving);
-    if (!moving && !stage_.isBusy()) stage_.finish();
+    if (stage_.isBusy()) return;
+    if (!moving) stage_.finish();
+    undo_.markSound();
   } catch (const Error& error) {
-    return takeBackEdit(error.what());
+    takeBackEdit(error.what());
   }
-  undo_.markSound();
 }
 
 // The scene is prepared again. If that fails, it is left without a ground and the edit is taken
@@ -278,9 +286,14 @@ void Viewer::takeBackEdit(std::string_view error) {
 }
 
 void Viewer::takeFinished() {
-  stage_.takeUp();
+  try {
+    stage_.takeUp();
+  } catch (const Error& error) {
+    return takeBackEdit(error.what());
+  }
   if (framesTaken_ == stage_.framesFinished()) return;
   framesTaken_ = stage_.framesFinished();
+  undo_.markSound();
   // The exposure changes together with the picture of the light for which it is meant.
   if (std::exchange(exposing_, false)) exposeByLight(session_);
   history_.add(stage_.lastFrame());
@@ -303,7 +316,8 @@ void Viewer::present() {
 void Viewer::showBusiness() {
   constexpr std::chrono::milliseconds soon(100);
   // A scene loaded meanwhile no longer wants what was announced.
-  if (session_.wanted == Save::Nothing && !session_.wantedTruth) announced_ = false;
+  if (session_.wanted == Save::Nothing && !session_.wantedTruth && !stage_.wouldBlock(session_))
+    announced_ = false;
   if (!stage_.isUnderWay() && !session_.edits.any()) busyShown_ = false;
   if (!stage_.isBusy()) return;
   busyShown_ = busyShown_ || Clock::now() - stage_.busySince() > soon;
@@ -364,15 +378,18 @@ void Viewer::run() {
     drawInterface();
     followEdits();
     save();
+    followFilm();
     followTruth();
     drawPicture();
     takeFinished();
     present();
     if (options_.controls) writeControls();
   }
+  // What is under way may take seconds, of which nobody must see anything.
+  keepState();
+  window_.hide();
   stage_.finish();
   presenter_.waitIdle();
-  keepState();
 }
 
 }  // namespace opaline::app::viewer

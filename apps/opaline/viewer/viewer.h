@@ -93,6 +93,7 @@ class Viewer {
   void present();
   std::vector<Caption> captions() const;
   void save();
+  void followFilm();
   void startTruth();
   void saveTruth();
   void followTruth();

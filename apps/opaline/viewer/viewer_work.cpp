@@ -65,13 +65,12 @@ void Viewer::takeFile(FileAnswer answer) {
   if (answer.file.parent_path() == std::filesystem::current_path(error)) {
     answer.file = answer.file.filename();
   }
-  session_.saveName = (answer.file.parent_path() / answer.file.stem()).string();
   session_.saveTo = std::move(answer);
 }
 
 void Viewer::takeLoaded() {
   // A film needs the scene it was begun with, so a new one waits for its end.
-  if (dashboard_.area().empty() || stage_.isBusy() || saver_.filming()) return;
+  if (dashboard_.area().empty() || stage_.isBusy() || saver_.keepsRenderer()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
   if (!result->loaded) {
@@ -124,10 +123,12 @@ void Viewer::save() {
   if (saver_.filming() && ofPicture) {
     say("a film is being made: no other picture can be saved before its end", true);
     session_.wanted = Save::Nothing;
+    session_.saveTo.reset();
   }
-  if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;
+  if (session_.wanted == Save::Nothing || stage_.isBusy()) return;
+  // A film that was stopped keeps the renderer until its frame is done.
+  if ((ofPicture && saver_.keepsRenderer()) || !announce()) return;
   const Save wanted = std::exchange(session_.wanted, Save::Nothing);
-  if (wanted == Save::Nothing && !saver_.filming()) return;
   if (wanted == Save::Film) {
     poke_.end();
     session_.playback.playing = session_.playback.turntable = false;
@@ -137,16 +138,24 @@ void Viewer::save() {
     const Area& area = dashboard_.area();
     const auto [width, height] = session_.pictureSize.value_or(std::array{area.width, area.height});
     if (const auto done = saver_.save(wanted, session_, width, height)) say(*done);
-    if (saver_.filming()) {
-      if (const auto done = saver_.step()) {
-        say(*done);
-        session_.edits.picture = true;
-      }
-    }
+    // Later files go beside it, under its name.
+    if (const std::optional<FileAnswer>& to = session_.saveTo)
+      session_.saveName = (to->file.parent_path() / to->file.stem()).string();
   } catch (const std::exception& error) {
     say(error.what(), true);
   }
   session_.saveTo.reset();
+}
+
+void Viewer::followFilm() {
+  // A truth that was asked for begins between two frames.
+  if (!saver_.keepsRenderer() || (session_.wantedTruth && !saver_.isBusy())) return;
+  try {
+    if (const auto done = saver_.step()) say(*done);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+  if (!saver_.keepsRenderer()) session_.edits.picture = true;
 }
 
 void Viewer::startTruth() {
@@ -179,7 +188,7 @@ void Viewer::saveTruth() {
 
 void Viewer::followTruth() {
   if (std::exchange(session_.cancelTruth, false)) truth_.cancel();
-  if (session_.wantedTruth && !stage_.isBusy() && announce()) startTruth();
+  if (session_.wantedTruth && !stage_.isBusy() && !saver_.isBusy() && announce()) startTruth();
   saveTruth();
   if (truth_.update()) stayAwake();
 }

@@ -230,6 +230,7 @@ TEST(UndoList, WhatMakesNoPictureIsTakenBackToWhatDid) {
   UndoList list;
   list.begin(editStateOf(session));
   EXPECT_FALSE(list.takeBack()) << "nothing has made one yet";
+  list.markTried();
   list.markSound();
   for (const float stops : {1.0F, 2.0F}) {
     session.tone.exposureStops = stops;
@@ -254,10 +255,12 @@ TEST(UndoList, TakesBackAlsoWhenTheOldestStatesAreForgotten) {
     }
   };
   edit(100);
+  list.markTried();
   list.markSound();
   edit(static_cast<int>(UndoList::most) - 1);
   EXPECT_TRUE(list.takeBack());
   EXPECT_EQ(list.present().tone.exposureStops, 100);
+  list.markTried();
   list.markSound();
   edit(static_cast<int>(UndoList::most));
   EXPECT_FALSE(list.takeBack()) << "it is not remembered";

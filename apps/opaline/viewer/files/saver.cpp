@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "cli/paths.h"
@@ -80,19 +81,42 @@ void Saver::startFilm(const Session& session, const Target& target, int width, i
   requireFilmWritable(order.output, order.frames);
   film_.emplace(std::move(order));
   filmTarget_ = target;
+  stopped_ = false;
+}
+
+bool Saver::isBusy() const {
+  return step_.valid() && step_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+}
+
+void Saver::cancelFilm() {
+  stopped_ = true;
+  if (!step_.valid()) film_.reset();
 }
 
 std::optional<std::string> Saver::step() {
+  if (isBusy()) return std::nullopt;
   try {
-    film_->step(renderer_);
+    if (step_.valid()) step_.get();
+    if (filming() && !film_->isDone()) stepOn();
   } catch (...) {
+    const bool isWanted = filming();
     film_.reset();
-    throw;
+    if (isWanted) throw;
+    return std::nullopt;
   }
-  if (!film_->isDone()) return std::nullopt;
-  std::string done = saved(film_->file(), filmTarget_);
+  if (step_.valid() || (filming() && !film_->isDone())) return std::nullopt;
+  std::optional<std::string> done;
+  if (filming()) done = saved(film_->file(), filmTarget_);
   film_.reset();
   return done;
+}
+
+void Saver::stepOn() {
+  const auto step = [this] { film_->step(renderer_); };
+  if (inBackground_)
+    step_ = std::async(std::launch::async, step);
+  else
+    step();
 }
 
 }  // namespace opaline::app::viewer

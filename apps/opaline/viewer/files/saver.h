@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 
@@ -15,27 +16,40 @@ namespace opaline::app::viewer {
 /// return a sentence where something was done.
 class Saver {
  public:
-  explicit Saver(Renderer& renderer) : renderer_(renderer) {}
+  /// `inBackground`: films are rendered by another thread, which nobody else's use of the
+  /// renderer's queue may disturb.
+  Saver(Renderer& renderer, bool inBackground) : renderer_(renderer), inBackground_(inBackground) {}
 
   /// Saves at that size, where the session says. No frame may be under way. An existing file stays
   /// unless replacing it was confirmed; the next free name is used instead. A film is only begun:
-  /// step() then makes it, the motion once at 30 frames a second.
+  /// step() then makes it.
   std::optional<std::string> save(Save wanted, const Session& session, int width, int height);
 
-  bool filming() const { return film_.has_value(); }
+  /// Whether a film is being made and nobody has stopped it.
+  bool filming() const { return film_ && !stopped_; }
+  /// Whether the renderer is kept for a film, which may be one that was stopped.
+  bool keepsRenderer() const { return film_.has_value(); }
+  /// Whether a frame is being made by another thread.
+  bool isBusy() const;
   /// In [0, 1].
   double progress() const { return film_ ? film_->progress().share() : 0; }
-  /// Makes one more frame; no other may be under way. Returns a sentence with the last one.
+  /// Makes one more frame, or begins it; no other may be under way. Does nothing while busy.
+  /// Returns a sentence after the last one.
   std::optional<std::string> step();
-  void cancelFilm() { film_.reset(); }
+  /// A frame that is under way ends first, and is not waited for.
+  void cancelFilm();
 
  private:
   std::string savePicture(const Session& session, const Target& target, int width, int height);
   void startFilm(const Session& session, const Target& target, int width, int height);
+  void stepOn();
 
   Renderer& renderer_;
   std::optional<FilmJob> film_;
   Target filmTarget_{""};
+  const bool inBackground_;
+  bool stopped_ = false;
+  std::future<void> step_;  // last, so that it ends before the film that it makes
 };
 
 }  // namespace opaline::app::viewer

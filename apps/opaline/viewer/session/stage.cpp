@@ -1,6 +1,7 @@
 #include "viewer/session/stage.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "opaline/error.h"
@@ -24,9 +25,10 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   finish();
   const bool hadScene = std::exchange(hasScene_, false);
   picture_ = paperPicture_ = {};
-  hostPicture_.clear();
   hostPaper_.clear();
   divided_ = false;
+  paperIsPrepared_ = false;
+  prepared_.reset();
   coarseView_.reset();
   restMs_ = 0;
   restSurfels_ = 0;
@@ -111,6 +113,17 @@ View& Stage::viewFor(const RenderOptions& options, const Edits& edits) {
   return *coarseView_;
 }
 
+bool Stage::wouldBlock(const Session& session) const {
+  return !apart_ && (session.edits.ground || (session.divided && !paperIsPrepared_));
+}
+
+// Submits the pictures of the view and, where the session is divided, of the paper's.
+void Stage::make(View& view, Aov variable) {
+  if (divided_) submit(*paper_, Aov::Radiance);
+  submit(view, variable);
+  if (apart_) watch_.begin();
+}
+
 void Stage::draw(Session& session, int width, int height, bool moving) {
   constexpr double slowMs = 150;
   Edits edits = handOver(session);
@@ -128,11 +141,22 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   if (divided_) {
     if (!paper_) paper_.emplace(renderer_);
     paper_->setOptions(paperOptions(options));
-    submit(*paper_, Aov::Radiance);
   }
-  submit(viewFor(options, edits), session.aov);
+  View& view = viewFor(options, edits);
+  const RenderOptions& wanted = view.options();
+  const Needs needs{wanted.transport,   wanted.sum,        wanted.site, wanted.maxSurfels,
+                    wanted.maxClusters, wanted.shadowSize, session.aov};
+  const bool isPrepared = prepared_ == needs && (paperIsPrepared_ || !divided_);
+  prepared_ = needs;
+  paperIsPrepared_ = paperIsPrepared_ || divided_;
+  if (apart_ && !(moving && isPrepared)) {
+    finish();
+    making_ = std::async(std::launch::async,
+                         [this, &view, variable = session.aov] { make(view, variable); });
+    return;
+  }
+  make(view, session.aov);
   if (apart_) {
-    watch_.begin();
     // The device keeps working while the previous picture, which is done, is brought over.
     while (waiting_.size() > (divided_ ? 2 : 1)) collect();
     return;
@@ -141,11 +165,22 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   while (waiting_.size() >= View::framesInFlight) collect();
 }
 
+bool Stage::hasNews() const {
+  if (!making_.valid()) return isUnderWay() && watch_.isDone();
+  return making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
 void Stage::takeUp() {
+  if (making_.valid() && hasNews()) making_.get();
   if (isUnderWay() && !isBusy()) finish();
 }
 
+void Stage::await() const {
+  if (making_.valid()) making_.wait();
+}
+
 void Stage::finish() {
+  if (making_.valid()) making_.get();
   while (!waiting_.empty()) collect();
 }
 

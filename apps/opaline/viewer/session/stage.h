@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace opaline::app::viewer {
 ///
 /// Where the renderer's device also draws the window, a frame is waited for only when the next but
 /// one begins. Where the window has its own device, nothing is waited for: one picture at a time is
-/// under way, and is brought over when it is done.
+/// under way, and is brought over when it is done. What it needs is prepared by another thread, and
+/// nobody else may use the renderer while the stage is busy.
 class Stage {
  public:
   Stage(Renderer& renderer, const VulkanDevice& window);
@@ -33,18 +35,26 @@ class Stage {
   /// the session is divided. A variable other than radiance comes a frame later. While something is
   /// `moving`, pictures come fast: with one sample per pixel, and with coarser light where the
   /// session allows it and its transport was slow. Must not be called while busy. Throws Error
-  /// where the renderer does, and can be called again.
+  /// where the renderer does, as does takeUp(), and can be called again.
   void draw(Session& session, int width, int height, bool moving);
+  /// Whether the window has its own device.
+  bool isApart() const { return apart_; }
+  /// Whether draw() would block for seconds: not if the window has its own device.
+  bool wouldBlock(const Session& session) const;
   /// Whether a picture is under way, done or not, that must be taken up.
-  bool isUnderWay() const { return apart_ && !waiting_.empty(); }
+  bool isUnderWay() const { return making_.valid() || (apart_ && !waiting_.empty()); }
   /// Whether that picture is not done yet, so that waiting for it would block.
-  bool isBusy() const { return isUnderWay() && !watch_.isDone(); }
+  bool isBusy() const { return making_.valid() || (isUnderWay() && !watch_.isDone()); }
+  /// Whether takeUp() has something to do.
+  bool hasNews() const;
   /// When that picture was begun.
   std::chrono::steady_clock::time_point busySince() const { return busySince_; }
-  /// Takes up a picture that is done.
+  /// Takes up a picture that is done, or what was prepared for it.
   void takeUp();
   /// Waits for everything under way.
   void finish();
+  /// Waits until nobody else uses the renderer.
+  void await() const;
 
   const DeviceImage& picture() const { return apart_ ? hostPicture_.shown() : picture_; }
   /// The paper's picture, while the session is divided.
@@ -61,6 +71,18 @@ class Stage {
   const RenderReport& report() const { return report_; }
 
  private:
+  /// What pictures need to be prepared, which may take seconds.
+  struct Needs {
+    Transport transport;
+    Sum sum;
+    Site site;
+    int maxSurfels;
+    int maxClusters;
+    int shadowSize;
+    Aov variable;
+
+    bool operator==(const Needs&) const = default;
+  };
   struct Waiting {
     View* view = nullptr;
     Aov variable = Aov::Radiance;
@@ -68,6 +90,7 @@ class Stage {
 
   Edits handOver(Session& session);
   View& viewFor(const RenderOptions& options, const Edits& edits);
+  void make(View& view, Aov variable);
   void submit(View& view, Aov variable);
   void collect();
   bool isPaper(const View& view) const { return paper_ && &view == &*paper_; }
@@ -96,6 +119,9 @@ class Stage {
   std::size_t restSurfels_ = 0;
   std::size_t framesFinished_ = 0;
   FrameOrder order_;
+  std::optional<Needs> prepared_;  // of the last picture; none: the scene is new
+  bool paperIsPrepared_ = false;
+  std::future<void> making_;  // last, so that it ends before the members that it uses
 };
 
 }  // namespace opaline::app::viewer

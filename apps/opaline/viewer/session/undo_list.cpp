@@ -7,19 +7,21 @@ namespace opaline::app::viewer {
 void UndoList::begin(EditState state) {
   states_.clear();
   present_ = 0;
-  sound_.reset();
+  tried_ = sound_ = std::nullopt;
   states_.push_back(std::move(state));
 }
 
 void UndoList::add(EditState state) {
   while (canRedo()) states_.pop_back();
-  if (sound_ >= states_.size()) sound_.reset();  // it was undone
+  for (std::optional<std::size_t>* noted : {&tried_, &sound_})
+    if (*noted >= states_.size()) noted->reset();  // it was undone
   states_.push_back(std::move(state));
   present_ = states_.size() - 1;
   if (states_.size() <= most) return;
   states_.pop_front();
   --present_;
-  if (sound_) sound_ = *sound_ > 0 ? std::optional(*sound_ - 1) : std::nullopt;
+  for (std::optional<std::size_t>* noted : {&tried_, &sound_})
+    if (*noted) *noted = **noted > 0 ? std::optional(**noted - 1) : std::nullopt;
 }
 
 void UndoList::undo() {
@@ -32,6 +34,7 @@ void UndoList::redo() {
 
 bool UndoList::takeBack() {
   if (!sound_) return false;
+  tried_ = sound_;
   present_ = *sound_;
   while (canRedo()) states_.pop_back();
   return true;

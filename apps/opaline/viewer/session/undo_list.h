@@ -25,8 +25,10 @@ class UndoList {
   void undo();
   void redo();
 
-  /// Notes that the present state can be rendered.
-  void markSound() { sound_ = present_; }
+  /// Notes that the present state is being rendered.
+  void markTried() { tried_ = present_; }
+  /// Notes that this has succeeded.
+  void markSound() { sound_ = tried_; }
   bool isSound() const { return sound_ == present_; }
   /// To be called when the present state cannot be rendered: goes back to the last one that could,
   /// and drops all later ones. False where there is none.
@@ -37,6 +39,7 @@ class UndoList {
  private:
   std::deque<EditState> states_;
   std::size_t present_ = 0;
+  std::optional<std::size_t> tried_;  // the last state that was to be rendered, while listed
   std::optional<std::size_t> sound_;  // the last state that could be rendered, while listed
 };
 

@@ -148,6 +148,10 @@ void Window::stay() {
   glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 
+void Window::hide() {
+  glfwHideWindow(window_);
+}
+
 void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }

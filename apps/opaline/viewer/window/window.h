@@ -37,6 +37,7 @@ class Window {
   void close();
   /// Cancels the wish to close.
   void stay();
+  void hide();
   void setTitle(const std::string& title);
 
   /// Takes the events since the last call without waiting.
