@@ -1,8 +1,11 @@
 #include "viewer/panels/controls.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -32,6 +35,10 @@ std::string leaveRoomFor(const char* name) {
   }
   ImGui::SetNextItemWidth(line - std::max(usual, needed));
   return name;
+}
+
+bool escapes() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
 }
 
 template <typename Number>
@@ -163,7 +170,8 @@ bool slider(const char* name, double& value, double low, double high, const char
 }
 
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about) {
-  return slider(name, mm, lowMm, highMm, "%.5g mm", about);
+  // %g would write it as 1.7658e+05.
+  return slider(name, mm, lowMm, highMm, std::abs(mm) < 1e5F ? "%.5g mm" : "%.0f mm", about);
 }
 
 bool stops(const char* name, float& value, float low, float high, const char* about) {
@@ -179,17 +187,29 @@ bool integer(const char* name, int& value, int low, int high, const char* about)
   return changed;
 }
 
+std::optional<int> wholeNumber(std::string_view text, int low, int high) {
+  const std::string whole(text);
+  char* rest = nullptr;
+  const double number = std::strtod(whole.c_str(), &rest);
+  if (whole.empty() || *rest != '\0' || std::isnan(number)) return std::nullopt;
+  return static_cast<int>(std::lround(std::clamp<double>(number, low, high)));
+}
+
 bool typed(const char* name, int& value, int low, int high, const char* about) {
-  static int held = 0;  // value of the one field that is being typed in
+  static std::array<char, 32> held{};  // text of the one field that is being typed in
   const std::string label = leaveRoomFor(name);
-  int now = value;
-  ImGui::InputInt(label.c_str(), &now, 0, 0);
+  std::array<char, 32> text{};
+  fmt::format_to_n(text.begin(), text.size() - 1, "{}", value);
+  const std::array<char, 32> before = text;
+  ImGui::InputText(label.c_str(), text.data(), text.size(),
+                   ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_AutoSelectAll);
   note(name);
-  if (ImGui::IsItemActive()) held = now;
+  if (ImGui::IsItemActive()) held = text;
   const bool done = ImGui::IsItemDeactivatedAfterEdit();
   tip(about);
-  if (!done) return false;
-  const int wanted = std::clamp(now == value ? held : now, low, high);
+  if (!done || escapes()) return false;
+  const auto& entered = text == before ? held : text;
+  const int wanted = wholeNumber(entered.data(), low, high).value_or(value);
   const bool changed = wanted != value;
   value = wanted;
   return changed;
@@ -273,6 +293,7 @@ bool choice(const char* name, int& chosen, const std::vector<std::string>& names
     }
     note((std::string(name) + "/" + text).c_str());
   }
+  if (escapes()) ImGui::CloseCurrentPopup();
   ImGui::EndCombo();
   return changed;
 }

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/values.h"
@@ -69,7 +71,9 @@ bool length(const char* name, float& mm, float lowMm, float highMm, const char* 
 /// An exposure.
 bool stops(const char* name, float& value, float low, float high, const char* about);
 bool integer(const char* name, int& value, int low, int high, const char* about);
-/// A typed number. It takes effect on Enter or when the field is left.
+/// The whole number that is nearest to what was typed, in [low, high]. None if it is no number.
+std::optional<int> wholeNumber(std::string_view text, int low, int high);
+/// A typed number. It takes effect on Enter or when the field is left, unless it is none.
 bool typed(const char* name, int& value, int low, int high, const char* about);
 /// Light of any strength, with separate controls for hue and strength.
 bool light(const char* name, Rgb& value, const char* about);

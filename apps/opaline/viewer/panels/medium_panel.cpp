@@ -97,7 +97,9 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, double low
 // The size takes effect when the mouse lets go, since every size means loading the scene anew.
 void drawBodySize(Session& session) {
   float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
-  if (controls::length("size", mm, 1, 10'000,
+  const float least = std::min(1.0F, session.diagonalMm / 10);
+  const float most = std::max(10'000.0F, 10 * session.diagonalMm);
+  if (controls::length("size", mm, least, most,
                        "Diagonal of the model's box. In one medium light reaches equally far into "
                        "small and large bodies, so size decides how translucent they look.")) {
     session.draggedDiagonalMm = mm;

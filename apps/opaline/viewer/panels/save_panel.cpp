@@ -75,12 +75,15 @@ void drawFilm(Session& session) {
   if (!film.once) {
     changed |= controls::typed("first frame", film.first, 0, mostFrames,
                                "Frame n shows the time n over the rate.");
-    changed |= controls::typed("last frame", film.last, 0, mostFrames, "It is part of the film.");
+    film.last = std::max(film.last, film.first);
+    changed |= controls::typed("last frame", film.last, film.first, mostFrames,
+                               "It is part of the film, and not before the first.");
   }
   if (changed) fitPlayback(session);
   const FrameRange frames = filmFrames(session);
-  ImGui::TextDisabled("film: %zu frames, %.2f s", frames.count(),
-                      static_cast<double>(frames.count()) / frames.perSecond);
+  const std::size_t count = frames.count();
+  ImGui::TextDisabled("film: %zu frame%s, %.2f s", count, count == 1 ? "" : "s",
+                      static_cast<double>(count) / frames.perSecond);
 }
 
 }  // namespace
@@ -91,9 +94,10 @@ void drawSavePanel(Session& session, const Saver& saver) {
     if (controls::button(name, about)) session.wantedFile = use;
   };
   choose("picture...", FileUse::SavePicture,
-         "As PNG: the picture as shown. Key P saves it without asking.");
+         "As PNG: the picture, or the variable chosen in View, by your method. Key P saves it "
+         "without asking.");
   ImGui::SameLine();
-  choose("EXR...", FileUse::SaveExr, "The picture's linear light, in 32-bit floats.");
+  choose("EXR...", FileUse::SaveExr, "The same as linear values, in 32-bit floats.");
   ImGui::SameLine();
   choose("scene...", FileUse::SaveScene,
          "As TOML: opaline render draws the same from it. Keys: Ctrl S; S saves without asking.");
@@ -103,7 +107,7 @@ void drawSavePanel(Session& session, const Saver& saver) {
       session.wanted = Save::NoFilm;
   } else {
     ImGui::SameLine();
-    choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
+    choose("film...", FileUse::SaveFilm, "As MP4: the frames below, their light.");
   }
   controls::hint(fmt::format("P and S save {}, or its next free name.", session.saveName));
   drawPictureSize(session);

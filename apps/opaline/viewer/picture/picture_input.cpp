@@ -19,6 +19,11 @@ bool anyDown() {
          ImGui::IsMouseDown(ImGuiMouseButton_Middle);
 }
 
+// Whoever moves camera or body wants to see it, and not the truth of an earlier moment.
+void showPicture(Session& session) {
+  session.shown = Shown::Picture;
+}
+
 void expose(Session& session, float stops) {
   session.exposesByLight = false;
   session.tone.exposureStops = std::clamp(session.tone.exposureStops + stops, -8.0F, 8.0F);
@@ -54,6 +59,7 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
     }
   }
   if ((session.poke || io.KeyCtrl) && poke.grab(session, projection.through(mouse))) {
+    showPicture(session);
     return Drag::Poke;
   }
   return io.KeyShift ? Drag::Pan : Drag::Orbit;
@@ -92,6 +98,7 @@ void PictureInput::go(Session& session, const Projection& projection, const Area
     default:
       return;
   }
+  showPicture(session);
   session.edits.camera = true;
 }
 
@@ -112,6 +119,7 @@ void PictureInput::useMouse(Session& session, const Area& area, Poke& poke) {
     drag_ = begin(session, projection, area, poke);
   }
   if (over && io.MouseWheel != 0) {
+    showPicture(session);
     dolly(session.scene.camera, std::exp(-0.12F * io.MouseWheel), session.diagonalMm);
     session.edits.camera = true;
   }
@@ -127,11 +135,13 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
   switch (press.key) {
     case GLFW_KEY_F:
       if (area.empty()) return;
+      showPicture(session);
       frame(session.scene, session.time, session.positionsMm, area.aspect());
       session.edits.camera = true;
       return;
     case GLFW_KEY_T:
       playback.turntable = !playback.turntable;
+      showPicture(session);
       return;
     case GLFW_KEY_SPACE:
       if (movesInTime(session)) {
@@ -142,6 +152,7 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
       return;
     case GLFW_KEY_C:
       session.divided = !session.divided;
+      showPicture(session);
       session.edits.picture = true;
       return;
     case GLFW_KEY_B:
