@@ -3,7 +3,8 @@
 import re
 import unittest
 
-from driver import COARSE, CORNERS, WindowTest
+from driver import COARSE, CORNERS, Shot, WindowTest
+from images import read_png
 from program import CUBE_OBJ
 
 
@@ -12,7 +13,7 @@ class Panels(WindowTest):
         """In one window, one after the other, as they stand after each other."""
         self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", *CORNERS, "--size", "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
-                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.from_above,
+                     self.poke, self.show, self.film, self.numbers, self.typing, self.medium, self.material, self.light, self.from_above,
                      self.ground, self.many_lights):
             with self.subTest(part.__name__):
                 part()
@@ -102,6 +103,8 @@ class Panels(WindowTest):
         window = self.window
         window.only("Light")
         self.assertGreater(self.changes(lambda: window.click("Light/ground")), .3)
+        window.key("c")
+        self.assertIn("lights no ground", window.state()["message"])
         self.assertIn("Light/color of the ground", window.state()["controls"])
         place = window.place("Light/height of the ground")
         lowered = window.picture()
@@ -216,6 +219,24 @@ class Panels(WindowTest):
         window.wait_for(lambda: window.state()["message"] == "saved teapot.mp4", "no film")
         self.assertGreater((self.folder / "teapot.mp4").stat().st_size, 1000)
 
+    def numbers(self):
+        """Of a film's frames, in their order."""
+        window = self.window
+        window.settle()
+        window.only("Save")
+        window.click("Save/the motion once")
+        for control, typed in (("first frame", "1e2"), ("last frame", "7"), ("last frame", "1/2")):
+            window.click(f"Save/{control}")
+            window.use(2, "key", "ctrl+a")
+            window.use(2 * len(typed), "type", typed)
+            window.key("Return")
+        window.click("Save/film...")
+        window.wait_for(lambda: "File/name" in window.state()["controls"], "no file can be chosen")
+        window.use(6, "type", "one")
+        window.use(2, "key", "Return")
+        window.wait_for(lambda: window.state()["message"] == "saved one.mp4", "no film of one frame")
+        window.click("Save/the motion once")
+
     def typing(self):
         """What is typed is a name, and no key of the window."""
         window = self.window
@@ -256,7 +277,25 @@ class Panels(WindowTest):
                          "map: normal", "map: irradiance", "map: area", "surfels", "tree levels"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
+        window.choose("View/variable", "normal")
+        self.assert_saved_as_shown("normal")
+        # An open list is closed by a key.
+        window.click("View/variable")
+        self.assertIn("View/variable/radiance", window.state()["controls"])
+        window.key("Escape")
+        self.assertNotIn("View/variable/radiance", window.state()["controls"])
         window.choose("View/variable", "radiance")
+
+    def assert_saved_as_shown(self, name):
+        window = self.window
+        window.move((5, 5))
+        window.settle()
+        shown = window.picture()
+        window.key("p")
+        (saved,) = self.folder.glob("*.png")
+        picture = Shot.of(read_png(saved.read_bytes()))
+        saved.unlink()
+        self.assertLess(shown.part(top=60).difference(picture.part(top=60)), .5, name)
 
     def time(self):
         window = self.window
@@ -317,8 +356,12 @@ class Truth(WindowTest):
         self.assertNotEqual(picture.data, truth.data)
         window.choose("Truth/shown", "heat map")
         self.assertGreater(truth.difference(self.body(window)), 5)
-        window.choose("Truth/shown", "picture")
-        self.assertEqual(picture.data, self.body(window).data)
+        # Whoever turns the camera sees the picture, and its turn.
+        x, y = window.middle()
+        window.drag((x, y), (x + 60, y))
+        self.assertGreater(picture.difference(self.body(window)), 1)
+        window.drag((x, y), (x - 60, y))
+        self.assertLess(picture.difference(self.body(window)), .5)
         window.close()
 
     def test_truth_that_is_cancelled(self):

@@ -54,7 +54,23 @@ class Opening(WindowTest):
     def test_a_file_that_is_not_there(self):
         window = Window(self, self.display, "nothing.ply", *QUICK)
         window.wait_for(lambda: window.places.exists() and "nothing.ply" in window.state()["message"], "no message")
-        window.process.terminate()
+        self.write("cube.obj", CUBE_OBJ)
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Opaline"], env=window.environment,
+                               capture_output=True, text=True, check=True).stdout.split()
+        window.handle = found[-1]
+        window.xdotool("windowfocus", "--sync", window.handle)
+        # The error stays, and something else can be opened.
+        window.press((100, 100))
+        self.assertIn("nothing.ply", window.state()["message"])
+        window.press("open...")
+        window.wait_for(lambda: "File/name" in window.state()["controls"], "no file can be chosen")
+        window.use(8, "type", "cube")
+        window.use(2, "key", "Down")
+        window.use(2, "key", "Return")
+        window.wait_for(lambda: window.state()["frames"] > 0, "nothing was opened")
+        window.settle()
+        self.assertIn("Medium", window.state()["controls"])
+        window.close()
 
     def test_wrong_arguments(self):
         self.refused(2, "view", "--medium", "granite", says="granite")

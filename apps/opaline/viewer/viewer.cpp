@@ -24,7 +24,8 @@ namespace {
 // Frames that Dear ImGui needs after an event until all its effects are drawn.
 constexpr int framesAfterEvent = 3;
 
-RendererOptions forWindows(RendererOptions options) {
+RendererOptions forWindows(RendererOptions options, RenderNotes& notes) {
+  options.log = notes.taker(std::move(options.log));
   options.instanceExtensions = Window::instanceExtensions();
   options.deviceExtensions = Window::deviceExtensions();
   return options;
@@ -37,13 +38,13 @@ Viewer::Viewer(const ViewerOptions& options)
       state_(readState(options.configFolder)),
       window_(options.size ? (*options.size)[0] : state_.width,
               options.size ? (*options.size)[1] : state_.height, "Opaline"),
-      renderer_(forWindows(options.renderer)),
+      renderer_(forWindows(options.renderer, notes_)),
       presenting_(renderer_.vulkanDevice()),
       presenter_(presenting_.device(), window_),
       interface_(presenting_.device(), presenter_, window_),
       view_(presenting_.device(), presenter_.renderPass()),
       dashboard_(state_.panels),
-      stage_(renderer_, presenting_.device()),
+      stage_(renderer_, presenting_.device(), notes_),
       loader_([] { Window::wake(); }),
       files_(state_.openFolder),
       poke_(renderer_),
@@ -165,8 +166,10 @@ void Viewer::advance(double elapsed) {
 
 void Viewer::drawInterface() {
   const std::vector<Input> inputs = window_.takeInputs();
-  if (std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.isPress(); }))
-    notice_.reset();
+  const bool anyPress =
+      std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.isPress(); });
+  // Without a scene, nothing else says why there is none.
+  if (anyPress && stage_.hasScene()) notice_.reset();
   inputsDrawn_ += static_cast<std::size_t>(std::count_if(
       inputs.begin(), inputs.end(), [](const Input& input) { return input.isUse(); }));
   interface_.begin(inputs);
@@ -177,7 +180,9 @@ void Viewer::drawInterface() {
   useKeys(keyPressesOf(inputs));
   if (stage_.hasScene()) {
     if (!saver_.filming()) input_.useMouse(session_, dashboard_.area(), poke_);
-    dashboard_.drawPanels(session_, truth_, history_, saver_, undo_);
+  }
+  dashboard_.drawPanels(session_, stage_.hasScene(), truth_, history_, saver_, undo_);
+  if (stage_.hasScene()) {
     if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
     dashboard_.drawOverPicture(session_, truth_, input_.handles(), captions());
   }
@@ -238,7 +243,10 @@ void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
   // A film shows the scene as it was when the film began, so edits wait for its end.
   if (!stage_.hasScene() || stage_.isBusy() || saver_.keepsRenderer()) return;
-  if (poke_.step()) session_.edits.picture = true;
+  if (poke_.step()) {
+    session_.edits.picture = true;
+    truth_.noteEdit();
+  }
   if (area.empty()) return;
   const bool moving = moves();
   const bool resized = area.width != drawn_.width || area.height != drawn_.height;
@@ -252,8 +260,10 @@ void Viewer::drawPicture() {
   exposing_ = exposing_ || session_.edits.lighting;
   awake_ = std::max(awake_, 1);
   try {
+    requireKnownToPattern();
     if (session_.edits.ground) setGround();
     placeBody();
+    truth_.follow(session_);
     undo_.markTried();
     stage_.draw(session_, area.width, area.height, moving);
     if (stage_.isBusy()) return;
@@ -262,6 +272,12 @@ void Viewer::drawPicture() {
   } catch (const Error& error) {
     takeBackEdit(error.what());
   }
+}
+
+void Viewer::requireKnownToPattern() const {
+  if (!session_.divided && session_.options.sum != Sum::Pattern) return;
+  const std::string complaint = complaintAboutPattern(session_.scene);
+  if (!complaint.empty()) throw UsageError(complaint);
 }
 
 // The scene is prepared again. If that fails, it is left without a ground and the edit is taken
@@ -298,6 +314,7 @@ void Viewer::takeFinished() {
   if (std::exchange(exposing_, false)) exposeByLight(session_);
   history_.add(stage_.lastFrame());
   session_.report = stage_.report();
+  session_.renderNotes = notes_.all();
   if (stage_.lastFrame().provisional) session_.edits.picture = true;
   awake_ = std::max(awake_, 1);
   view_.take(stage_, session_);

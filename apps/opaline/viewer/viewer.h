@@ -21,6 +21,7 @@
 #include "viewer/picture/poke.h"
 #include "viewer/session/loader.h"
 #include "viewer/session/opening.h"
+#include "viewer/session/render_notes.h"
 #include "viewer/session/sequence_player.h"
 #include "viewer/session/session.h"
 #include "viewer/session/stage.h"
@@ -85,6 +86,7 @@ class Viewer {
   void useKeys(const std::vector<KeyPress>& presses);
   void drawDialogs();
   void followEdits();
+  void requireKnownToPattern() const;
   void setGround();
   void placeBody();
   void drawPicture();
@@ -102,6 +104,7 @@ class Viewer {
   ViewerOptions options_;
   ViewerState state_;
   Window window_;
+  RenderNotes notes_;
   Renderer renderer_;
   PresentingDevice presenting_;
   Presenter presenter_;

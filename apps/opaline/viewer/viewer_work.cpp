@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -12,6 +14,17 @@
 
 // Opening, saving and computing on the user's behalf, and the questions before it.
 namespace opaline::app::viewer {
+
+namespace {
+
+// What can be dropped on the window is more than a scene.
+std::string withKindsOfFiles(std::string error) {
+  constexpr std::string_view ofScenes = "a scene is a ";
+  if (error.find(ofScenes) != std::string::npos) error += "; an environment is .hdr or .exr";
+  return error;
+}
+
+}  // namespace
 
 void Viewer::openFile(const std::filesystem::path& file) {
   const auto begin = [this, file] {
@@ -29,6 +42,11 @@ void Viewer::openFile(const std::filesystem::path& file) {
 }
 
 void Viewer::light(const std::filesystem::path& file) {
+  if (!stage_.hasScene()) {
+    return say(fmt::format("{} is light for a scene, and there is none yet: open a model first",
+                           shownName(file.filename())),
+               true);
+  }
   try {
     takeEnvironment(file, session_);
   } catch (const std::exception& error) {
@@ -75,7 +93,7 @@ void Viewer::takeLoaded() {
   if (!result) return;
   if (!result->loaded) {
     reaching_ = false;
-    return say(result->error, true);
+    return say(withKindsOfFiles(result->error), true);
   }
   try {
     Session made = resizing_ ? resized(session_, std::move(*result))
@@ -94,6 +112,7 @@ void Viewer::takeLoaded() {
     poke_.end();
     stage_.setScene(made.scene, session_.scene);
     session_ = std::move(made);
+    truth_.noteEdit();
     if (!resizing_) {
       truth_.forget();
       undo_.begin(editStateOf(session_));

@@ -72,5 +72,13 @@ TEST(Session, PlaysARangeAgainAndAgain) {
   EXPECT_FALSE(session.playback.playing);
 }
 
+TEST(Session, ThePatternKnowsNoGround) {
+  Session session = sessionAwayFromTheOrigin();
+  session.edits.material.assign(1, false);
+  EXPECT_EQ(complaintAboutPattern(session.scene), "");
+  setGround(Ground{}, session);
+  EXPECT_NE(complaintAboutPattern(session.scene).find("ground"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace opaline::app::viewer

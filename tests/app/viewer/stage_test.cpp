@@ -28,7 +28,8 @@ Image exitanceOf(Stage& stage, Session& session) {
 
 TEST(StageTest, ASceneThatIsRefusedLeavesTheOneBefore) {
   Renderer renderer;
-  Stage stage(renderer, renderer.vulkanDevice());
+  RenderNotes notes;
+  Stage stage(renderer, renderer.vulkanDevice(), notes);
   Session session = litCube();
   stage.setScene(session.scene, {});
   const Image before = exitanceOf(stage, session);
@@ -40,7 +41,8 @@ TEST(StageTest, ASceneThatIsRefusedLeavesTheOneBefore) {
 
 TEST(StageTest, WithoutASceneBeforeThereIsNone) {
   Renderer renderer;
-  Stage stage(renderer, renderer.vulkanDevice());
+  RenderNotes notes;
+  Stage stage(renderer, renderer.vulkanDevice(), notes);
   EXPECT_THROW(stage.setScene({}, {}), Error);
   EXPECT_FALSE(stage.hasScene());
 }

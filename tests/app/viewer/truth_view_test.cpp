@@ -80,6 +80,23 @@ TEST_F(TruthViewTest, AFailureIsSomethingToSee) {
   EXPECT_FALSE(truth.hasPicture());
 }
 
+TEST_F(TruthViewTest, ItIsOfNowUntilTheSceneIsEdited) {
+  truth.start(session, renderer, TruthOrder::Method::Integral, 8, 8);
+  session.edits.picture = true;
+  truth.follow(session);
+  EXPECT_TRUE(truth.isOfNow());
+  session.time.seconds = 1;
+  truth.follow(session);
+  EXPECT_FALSE(truth.isOfNow());
+  updateUntilItEnds(truth);
+  EXPECT_TRUE(truth.legend().find("when the truth was started") != std::string::npos);
+  truth.start(session, renderer, TruthOrder::Method::Integral, 8, 8);
+  EXPECT_TRUE(truth.isOfNow());
+  session.edits.material = {true};
+  truth.follow(session);
+  EXPECT_FALSE(truth.isOfNow());
+}
+
 TEST_F(TruthViewTest, CancelledItDoesNotRun) {
   truth.start(session, renderer, TruthOrder::Method::Path, 8, 8);
   EXPECT_TRUE(truth.running());

@@ -11,6 +11,7 @@
 #include "film/film.h"
 #include "film/sequence_frames.h"
 #include "opaline/scene_file.h"
+#include "viewer/picture/variable_display.h"
 
 namespace opaline::app::viewer {
 
@@ -31,6 +32,12 @@ std::string saveScene(const Session& session, const Target& target, int width, i
                          std::min(session.time.seconds, lastSecond(*session.sequence)));
   }
   return saved(writeScene(target, describe(session.scene, session.source, settings)), target);
+}
+
+// What a saved picture shows where the window shows more, or something else.
+std::string shownBy(const Session& session) {
+  if (session.shown != Shown::Picture) return ": the picture; Truth saves the truth";
+  return session.divided ? ": all of it by your method" : "";
 }
 
 }  // namespace
@@ -64,8 +71,15 @@ std::optional<std::string> Saver::save(Save wanted, const Session& session, int 
 
 std::string Saver::savePicture(const Session& session, const Target& target, int width,
                                int height) {
-  const Image picture = pictureOf(session, renderer_, sized(session.options, width, height));
-  return saved(writePicture(target, picture, session.tone), target);
+  const Aov variable = session.aov;
+  const Image image =
+      pictureOf(session, renderer_, sized(session.options, width, height), variable);
+  const bool isData = extensionOf(target.path) == ".exr" || isLight(variable);
+  const std::filesystem::path file =
+      isData ? writePicture(target, image, session.tone)
+             : writePicture(target, asColors(image, variable, session.surfelIndex),
+                            plainTone(session.tone));
+  return saved(file, target) + shownBy(session);
 }
 
 void Saver::startFilm(const Session& session, const Target& target, int width, int height) {

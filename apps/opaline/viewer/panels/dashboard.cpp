@@ -15,6 +15,16 @@
 
 namespace opaline::app::viewer {
 
+namespace {
+
+// What the renderer has to say of the picture.
+void drawNotes(const Session& session) {
+  if (session.renderNotes.empty() || !controls::section("Notes", true)) return;
+  for (const std::string& note : session.renderNotes) controls::hint(note);
+}
+
+}  // namespace
+
 void Dashboard::layOut(const Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto width = static_cast<int>(io.DisplaySize.x);
@@ -52,8 +62,10 @@ void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, 
 }
 
 void Dashboard::drawTop(Session& session, const UndoList& undo) {
-  controls::text(session.name);
-  controls::sameLineFor("? lists the keys");
+  if (!session.name.empty()) {
+    controls::text(session.name);
+    controls::sameLineFor("? lists the keys");
+  }
   ImGui::TextDisabled("? lists the keys");
   if (controls::button("open...",
                        "A model or a scene. Or drop its file on the window. Key: Ctrl O.")) {
@@ -72,8 +84,9 @@ void Dashboard::drawTop(Session& session, const UndoList& undo) {
   ImGui::TextDisabled("or drop a file");
 }
 
-void Dashboard::drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
-                           const Saver& saver, const UndoList& undo) const {
+void Dashboard::drawPanels(Session& session, bool hasScene, const TruthView& truth,
+                           const TimingHistory& history, const Saver& saver,
+                           const UndoList& undo) const {
   if (!panels_) return;
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos({static_cast<float>(right_), 0});
@@ -84,6 +97,7 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
                                      ImGuiWindowFlags_NoNavInputs;
   ImGui::Begin("panels", nullptr, flags);
   drawTop(session, undo);
+  if (!hasScene) return ImGui::End();
   for (const std::string& note : session.notes) controls::text(note);
   // Controls of two panels may share a name.
   int panel = 0;
@@ -101,6 +115,8 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
   apart([&] { drawViewPanel(session); });
   apart([&] { drawTimePanel(session, history); });
   apart([&] { drawSavePanel(session, saver); });
+  // The last, so that no other panel moves when a note comes.
+  apart([&] { drawNotes(session); });
   ImGui::End();
 }
 
@@ -110,7 +126,11 @@ void Dashboard::drawOverPicture(const Session& session, const TruthView& truth,
   LabelLayout labels({static_cast<float>(area_.x), static_cast<float>(area_.y),
                       static_cast<float>(area_.width), static_cast<float>(area_.height)});
   labels.take(boxOf(captions, area_));
-  if (session.shown != Shown::Picture) return drawLegend(truth.legend(), area_, labels);
+  if (session.shown != Shown::Picture) {
+    if (session.shown == Shown::HeatMap && truth.hasPicture())
+      drawHeatScale(truth.heatMapTop(), heatMapColors(), area_, labels);
+    return drawLegend(truth.legend(), area_, labels);
+  }
   const Projection projection(session.scene.camera, area_);
   if (showsScene(session)) {
     if (session.scaleBar) drawScaleBar(session, projection, area_, labels);

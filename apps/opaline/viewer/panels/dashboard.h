@@ -29,8 +29,9 @@ class Dashboard {
   /// Handles the pressed keys, but none while a number is being typed. Keys of a scene need a
   /// scene, and keys of its picture are ignored while a film is made of it.
   void useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene, bool filming);
-  void drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
-                  const Saver& saver, const UndoList& undo) const;
+  /// Without a scene, what opens one.
+  void drawPanels(Session& session, bool hasScene, const TruthView& truth,
+                  const TimingHistory& history, const Saver& saver, const UndoList& undo) const;
   /// Draws what belongs to the picture: scale bar, handles and divider, or the figures of the
   /// truth; and the captions.
   void drawOverPicture(const Session& session, const TruthView& truth, const LightHandles& handles,

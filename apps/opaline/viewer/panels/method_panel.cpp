@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <string>
+
 #include "cli/picture_options.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/option_control.h"
@@ -74,9 +76,13 @@ void drawMethodPanel(Session& session) {
     options = paperOptions(options);
     changed = true;
   }
-  changed |=
-      controls::checkbox("compare with the paper", session.divided,
-                         "Shows the paper's method on the left of a divider that you can drag.");
+  const std::string complaint = complaintAboutPattern(session.scene);
+  ImGui::BeginDisabled(!complaint.empty() && !session.divided);
+  changed |= controls::checkbox(
+      "compare with the paper", session.divided,
+      complaint.empty() ? "Shows the paper's method on the left of a divider that you can drag."
+                        : complaint.c_str());
+  ImGui::EndDisabled();
   // Which indices can be shown depends on the method.
   const bool shown = session.surfelIndex == SurfelIndex::Cluster
                          ? options.transport == Transport::Boundary

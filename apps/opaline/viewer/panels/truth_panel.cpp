@@ -15,12 +15,21 @@ const Choices<Shown>& shownPictures() {
   return table;
 }
 
-void showFigures(const TruthView& truth) {
+void showAll(const TruthView& truth) {
   ImGui::TextWrapped("%s", truth.legend().c_str());
   if (!truth.figures()) return;
   ImGui::TextWrapped("pixels off by %.2f %% (RMSE / mean)", 100 * truth.figures()->all.relRmse);
   const double bias = 100 * truth.figures()->all.relBias;
   ImGui::TextWrapped("%s by %.2f %% in the mean", bias < 0 ? "darker" : "brighter", std::abs(bias));
+}
+
+// Paler once the picture is another.
+void showFigures(const TruthView& truth) {
+  ImGui::PushStyleColor(
+      ImGuiCol_Text,
+      ImGui::GetStyleColorVec4(truth.isOfNow() ? ImGuiCol_Text : ImGuiCol_TextDisabled));
+  showAll(truth);
+  ImGui::PopStyleColor();
 }
 
 void drawSaving(Session& session) {

@@ -136,6 +136,10 @@ void drawDivider(const Session& session, const Area& area, LabelLayout& labels) 
   const float y = bottom - 1.5F * ImGui::GetFontSize();
   const auto name = [&](const std::string& text, bool onLeft) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    // A label that reached over the divider would name the other side.
+    const float room =
+        onLeft ? x - static_cast<float>(area.x) : static_cast<float>(area.x + area.width) - x;
+    if (room < size.x + 10) return;
     const Box place = labels.place({onLeft ? x - size.x - 10 : x + 10, y, size.x, 1.15F * size.y});
     write(list, {place.x, place.y}, ink, text);
   };
@@ -152,6 +156,38 @@ void drawLegend(const std::string& text, const Area& area, LabelLayout& labels) 
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   drawPlate(list, place);
   write(list, {place.x, place.y}, ink, text, width);
+}
+
+void drawHeatScale(double top, const std::vector<Rgb>& colors, const Area& area,
+                   LabelLayout& labels) {
+  const float font = ImGui::GetFontSize();
+  constexpr int steps = 2;  // so few that they keep apart in the smallest window
+  std::array<std::string, steps + 1> numbers;
+  float widest = 0;
+  for (int i = 0; i <= steps; ++i) {
+    std::string& number = numbers[static_cast<std::size_t>(i)];
+    number = fmt::format("{:.4g} %", 100 * top * i / steps);
+    widest = std::max(widest, ImGui::CalcTextSize(number.c_str()).x);
+  }
+  const float bar = 0.8F * font;
+  const float width = 1.5F * bar + widest;
+  const float height = std::min(12 * font, 0.5F * static_cast<float>(area.height));
+  const Box place = labels.place({static_cast<float>(area.x + area.width) - width - font,
+                                  static_cast<float>(area.y) + font, width, height + font});
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  drawPlate(list, place);
+  const float bottom = place.y + 0.5F * font + height;
+  const float step = height / static_cast<float>(colors.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const float low = bottom - step * static_cast<float>(i);
+    const ImVec4 color(colors[i][0], colors[i][1], colors[i][2], 1);
+    list.AddRectFilled({place.x, low - step}, {place.x + bar, low},
+                       ImGui::ColorConvertFloat4ToU32(color));
+  }
+  for (int i = 0; i <= steps; ++i) {
+    const float y = bottom - height * static_cast<float>(i) / steps;
+    write(list, {place.x + 1.5F * bar, y - 0.5F * font}, ink, numbers[static_cast<std::size_t>(i)]);
+  }
 }
 
 void drawCaptions(const std::vector<Caption>& captions, const Area& area) {

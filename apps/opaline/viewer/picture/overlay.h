@@ -23,6 +23,10 @@ void drawDivider(const Session& session, const Area& area, LabelLayout& labels);
 /// A text at the bottom left of a picture.
 void drawLegend(const std::string& text, const Area& area, LabelLayout& labels);
 
+/// The scale of a heat map at the right, from no error to `top`, a relative error.
+void drawHeatScale(double top, const std::vector<Rgb>& colors, const Area& area,
+                   LabelLayout& labels);
+
 /// The list of the window's keys, over everything, until the next key or click.
 void drawKeys(const Area& area);
 

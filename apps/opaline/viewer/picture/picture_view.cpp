@@ -16,7 +16,7 @@ void PictureView::take(const Stage& stage, const Session& session) {
 
 void PictureView::drawShown(VkCommandBuffer commands, const Session& session, const Stage& stage,
                             const TruthView& truth, const Area& area) const {
-  const ToneOptions plain{0, ToneCurve::None, session.tone.background};
+  const ToneOptions plain = plainTone(session.tone);
   const auto draw = [&](const DeviceImage& image, const ToneOptions& tone) {
     const Area place =
         fitted(area, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height));

@@ -1,27 +1,12 @@
 #include "viewer/session/loader.h"
 
-#include <cstddef>
 #include <exception>
-#include <string>
 #include <string_view>
 #include <utility>
 
-#include "cli/field_names.h"
+#include "viewer/session/control_names.h"
 
 namespace opaline::app::viewer {
-
-namespace {
-
-// What the command line does by an option, the window does by a control.
-std::string withControlNames(std::string_view note) {
-  std::string text = withOptionNames(note);
-  constexpr std::string_view option = "--diagonal-mm";
-  if (const std::size_t at = text.find(option); at != std::string::npos)
-    text.replace(at, option.size(), "the size under Medium");
-  return text;
-}
-
-}  // namespace
 
 Loader::~Loader() {
   if (thread_.joinable()) thread_.join();

@@ -73,9 +73,12 @@ RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels)
   return coarse;
 }
 
-Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options) {
+Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options,
+                Aov variable) {
   renderer.setTime(session.time);
-  return std::move(View(renderer, options).render().images.front());
+  RenderOptions levelled = options;
+  levelled.treeLevel = session.treeLevel;
+  return std::move(View(renderer, levelled).render({.aovs = {variable}}).images.front());
 }
 
 RenderOptions paperOptions(const RenderOptions& options) {
@@ -84,6 +87,17 @@ RenderOptions paperOptions(const RenderOptions& options) {
   paper.sum = Sum::Pattern;
   paper.site = Site::Fragment;
   return paper;
+}
+
+std::string complaintAboutPattern(const Scene& scene) {
+  const bool hasGround = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                     [](const Object& object) { return object.isGround; });
+  if (hasGround) return "the pattern of Gong et al. 2008 lights no ground: remove it under Light";
+  const bool hasOpaque =
+      std::any_of(scene.objects.begin(), scene.objects.end(),
+                  [](const Object& object) { return object.opaque.has_value(); });
+  if (hasOpaque) return "the pattern of Gong et al. 2008 lights no opaque bodies";
+  return {};
 }
 
 float lengthOfMotion(const Session& session) {

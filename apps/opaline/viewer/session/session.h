@@ -83,6 +83,7 @@ struct Session {
   std::optional<float> wantedDiagonalMm;         ///< another size, to be loaded
   std::optional<float> draggedDiagonalMm;        ///< another size, while its slider is dragged
   std::vector<std::string> notes;                ///< from loading
+  std::vector<std::string> renderNotes;          ///< from rendering
 
   RenderOptions options;
   SceneTime time;
@@ -147,11 +148,16 @@ RenderOptions coarser(const RenderOptions& options);
 /// The same on a coarser division of the surface than that into so many surfels.
 RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels);
 
-/// Renders the session's scene once, as its renderer has it.
-Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options);
+/// Renders a variable of the session's scene once, as its renderer has it.
+Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options,
+                Aov variable);
 
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);
+
+/// Why the pattern of 2008 cannot light this scene, in the window's words; empty where nothing is
+/// known that speaks against it.
+std::string complaintAboutPattern(const Scene& scene);
 
 /// The seconds until numbered files, clips and swinging deformers repeat, or a default.
 float lengthOfMotion(const Session& session);

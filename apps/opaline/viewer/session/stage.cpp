@@ -9,8 +9,9 @@
 
 namespace opaline::app::viewer {
 
-Stage::Stage(Renderer& renderer, const VulkanDevice& window)
+Stage::Stage(Renderer& renderer, const VulkanDevice& window, RenderNotes& notes)
     : renderer_(renderer),
+      notes_(notes),
       apart_(window.device != renderer.vulkanDevice().device),
       view_(renderer),
       hostPicture_(window),
@@ -32,6 +33,7 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   coarseView_.reset();
   restMs_ = 0;
   restSurfels_ = 0;
+  notes_.clear();
   try {
     renderer_.setScene(scene);
   } catch (const Error&) {
@@ -143,6 +145,7 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
     paper_->setOptions(paperOptions(options));
   }
   View& view = viewFor(options, edits);
+  notes_.follow(options, &view != &view_);
   const RenderOptions& wanted = view.options();
   const Needs needs{wanted.transport,   wanted.sum,        wanted.site, wanted.maxSurfels,
                     wanted.maxClusters, wanted.shadowSize, session.aov};

@@ -9,6 +9,7 @@
 #include "opaline/renderer.h"
 #include "opaline/vulkan.h"
 #include "viewer/picture/host_picture.h"
+#include "viewer/session/render_notes.h"
 #include "viewer/session/session.h"
 #include "viewer/window/queue_watch.h"
 
@@ -22,7 +23,7 @@ namespace opaline::app::viewer {
 /// nobody else may use the renderer while the stage is busy.
 class Stage {
  public:
-  Stage(Renderer& renderer, const VulkanDevice& window);
+  Stage(Renderer& renderer, const VulkanDevice& window, RenderNotes& notes);
   Stage(const Stage&) = delete;  // holds pointers to itself
   Stage& operator=(const Stage&) = delete;
 
@@ -96,6 +97,7 @@ class Stage {
   bool isPaper(const View& view) const { return paper_ && &view == &*paper_; }
 
   Renderer& renderer_;
+  RenderNotes& notes_;
   const bool apart_;  // the window has its own device
   bool hasScene_ = false;
   bool divided_ = false;

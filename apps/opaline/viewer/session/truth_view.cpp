@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "cli/paths.h"
@@ -15,24 +18,51 @@ namespace {
 
 constexpr int blockEdge = 8;
 
-// The linear values that tone curve None and exposure 0 show as the encoded ones.
-Image linear(const Image8& encoded) {
-  Image image(encoded.width, encoded.height);
-  for (std::size_t i = 0; i < encoded.rgba.size(); ++i) {
-    const float value = static_cast<float>(encoded.rgba[i]) / 255;
-    image.rgba[i] = i % 4 == 3 ? value : decodeSrgb(value);
+// The linear values that tone curve None and exposure 0 show as the encoded ones, of the top left
+// part of an opaque picture.
+Image linear(const Image8& encoded, int width, int height) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto from = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(encoded.width) +
+                             static_cast<std::size_t>(x));
+      const auto to = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(x));
+      for (std::size_t c = 0; c < 3; ++c)
+        image.rgba[to + c] = decodeSrgb(static_cast<float>(encoded.rgba[from + c]) / 255);
+      image.rgba[to + 3] = 1;
+    }
   }
   return image;
 }
 
 }  // namespace
 
+const std::vector<Rgb>& heatMapColors() {
+  static const std::vector<Rgb> colors = [] {
+    constexpr int steps = 64;
+    compare::Plane errors(1, steps);
+    for (int i = 0; i < steps; ++i)
+      errors.values[static_cast<std::size_t>(i)] =
+          static_cast<float>(i) / static_cast<float>(steps - 1);
+    const Image8 drawn = compare::drawHeatmap(errors, compare::Selection(steps, 1), 1);
+    std::vector<Rgb> found(steps);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        found[i][c] =
+            static_cast<float>(drawn.rgba[4 * i * static_cast<std::size_t>(drawn.width) + c]) / 255;
+    }
+    return found;
+  }();
+  return colors;
+}
+
 void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Method method,
                       int width, int height) {
   cancel();
   RenderOptions options = sized(session.options, width, height);
   options.specular = false;
-  picture_ = pictureOf(session, renderer, options);
+  picture_ = pictureOf(session, renderer, options, Aov::Radiance);
   TruthOrder order;
   order.method = method;
   // Half of the cores stay free for the window.
@@ -40,6 +70,17 @@ void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Me
   job_ =
       std::make_unique<TruthJob>(session.scene, session.time, options, order, session.positionsMm);
   running_ = true;
+  isOfNow_ = true;
+  time_ = session.time;
+}
+
+void TruthView::follow(const Session& session) {
+  const Edits& edits = session.edits;
+  const bool material =
+      std::find(edits.material.begin(), edits.material.end(), true) != edits.material.end();
+  if (edits.camera || edits.lighting || edits.deformers || edits.ground || material ||
+      session.time != time_)
+    noteEdit();
 }
 
 void TruthView::cancel() {
@@ -73,21 +114,27 @@ bool TruthView::takePicture(std::shared_ptr<const TruthPicture> latest) {
   blocks_ = compare::blockFiguresOver(picture_, latest_->image, common, blockEdge);
   const compare::Plane errors =
       compare::relativeBlockErrors(picture_, latest_->image, common, blockEdge);
-  drawnHeatMap_ = compare::drawHeatmap(errors, common, compare::heatmapTop(errors, common));
-  heatMap_.set(linear(drawnHeatMap_));
+  heatMapTop_ = compare::heatmapTop(errors, common);
+  drawnHeatMap_ = compare::drawHeatmap(errors, common, heatMapTop_);
+  // The window draws a scale of its own, as large as its text.
+  heatMap_.set(linear(drawnHeatMap_, errors.width, errors.height));
   return true;
 }
 
 std::string TruthView::legend() const {
   if (!latest_) return "there is no truth yet";
-  std::string text =
-      fmt::format("truth after {:.1f} s, within {} %", latest_->seconds,
-                  latest_->error < 0.1 ? fmt::format("{:.2g}", 100 * latest_->error)
-                                       : fmt::format("{:.0f}", 100 * latest_->error));
+  std::string text = fmt::format("truth after {:.1f} s", latest_->seconds);
+  // Where hardly any light comes out, an error relative to it means nothing.
+  if (std::isfinite(latest_->error)) {
+    text += fmt::format(", within {} %", latest_->error < 0.1
+                                             ? fmt::format("{:.2g}", 100 * latest_->error)
+                                             : fmt::format("{:.0f}", 100 * latest_->error));
+  }
   if (blocks_) {
     text += fmt::format("; the picture's blocks of {0} x {0} are off by {1:.2f} %", blockEdge,
                         100 * blocks_->relRmse);
   }
+  if (!isOfNow_) text += "; all of this is of the scene as it was when the truth was started";
   return text;
 }
 

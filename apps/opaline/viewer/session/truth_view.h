@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/truth_job.h"
 #include "opaline/compare.h"
@@ -15,6 +16,9 @@
 #include "viewer/session/session.h"
 
 namespace opaline::app::viewer {
+
+/// The colours of heat maps, from no error to the largest.
+const std::vector<Rgb>& heatMapColors();
 
 /// The truth of what the window shows, computed in the background. It keeps the picture to compare
 /// it with, and how far the two differ.
@@ -29,6 +33,12 @@ class TruthView {
   void cancel();
   /// Cancels it, and drops what it has found, which is of no use for another scene.
   void forget();
+  /// Notes that the picture is no longer of the scene that the truth was started with.
+  void noteEdit() { isOfNow_ = false; }
+  /// The same if the session's edits or its time say so.
+  void follow(const Session& session);
+  /// Whether the figures are of the picture as it is now.
+  bool isOfNow() const { return isOfNow_; }
   /// As of the last update(), so that a caller who waits for the end does not miss it.
   bool running() const { return running_; }
   double progress() const { return job_ ? job_->progress() : 0; }
@@ -39,6 +49,8 @@ class TruthView {
   bool hasPicture() const { return !truth_.empty(); }
   const DeviceImage& truth() const { return truth_.shown(); }
   const DeviceImage& heatMap() const { return heatMap_.shown(); }
+  /// The relative error that has the last of the heat map's colours.
+  double heatMapTop() const { return heatMapTop_; }
   const std::optional<compare::Figures>& figures() const { return figures_; }
   const std::optional<compare::BlockFigures>& blocks() const { return blocks_; }
   const std::shared_ptr<const TruthPicture>& latest() const { return latest_; }
@@ -53,11 +65,14 @@ class TruthView {
 
   std::unique_ptr<TruthJob> job_;
   bool running_ = false;
+  bool isOfNow_ = true;
+  SceneTime time_;
   Image picture_;  // what the truth is compared with
   std::shared_ptr<const TruthPicture> latest_;
   HostPicture truth_;
   HostPicture heatMap_;
-  Image8 drawnHeatMap_;
+  Image8 drawnHeatMap_;  // with its scale
+  double heatMapTop_ = 0;
   std::optional<compare::Figures> figures_;
   std::optional<compare::BlockFigures> blocks_;
 };
