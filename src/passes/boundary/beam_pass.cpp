@@ -92,13 +92,6 @@ Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool w
   return {make(false), make(true)};
 }
 
-Variants<shaders::BoundaryReentry> BeamPass::makeReentry(gpu::Device& device, bool withPaint) {
-  const auto make = [&](bool withOthers) -> gpu::Compute<shaders::BoundaryReentry> {
-    return {device, "light that enters again", {.withPaint = withPaint, .withOthers = withOthers}};
-  };
-  return {make(false), make(true)};
-}
-
 BeamPass::BeamPass(gpu::Device& device)
     : trace_{makeTrace(device, false), makeTrace(device, true)},
       sharers_(device.workGroups().lanes > 1 ? shared::pathsOfBeam : 1),
@@ -123,10 +116,7 @@ BeamPass::BeamPass(gpu::Device& device)
           {device, "coefficients of single", {.scattersEvenly = 0, .withSeveralMedia = 0}},
           {device, "coefficients of single", {.scattersEvenly = 0, .withSeveralMedia = 1}}},
       singleEvenCoefficients_(device, "coefficients of single",
-                              {.scattersEvenly = 1, .withSeveralMedia = 0}),
-      reentry_{makeReentry(device, false), makeReentry(device, true)},
-      enteredAround_{{device, "light that enters around", {.withPaint = 0}},
-                     {device, "light that enters around", {.withPaint = 1}}} {}
+                              {.scattersEvenly = 1, .withSeveralMedia = 0}) {}
 
 void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
   constexpr std::size_t mostBytesOfAll = std::size_t{64} << 20U;
@@ -179,43 +169,10 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
   commands.endPass();
 }
 
-void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
-                             const Reentry& reentry, Clusters& clusters) const {
+void BeamPass::recordAgain(gpu::CommandList& commands, const Inputs& inputs, bool isNew,
+                           Clusters& clusters) const {
   commands.beginPass("sources");
-  const bool withOthers{clusters.fromAfar};
-  commands.bind(reentry_.of(inputs.tables.paint.any, withOthers),
-                {.objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .meetings = clusters.meetings,
-                 .latest = clusters.latest,
-                 .enteredBefore = clusters.enteredBefore,
-                 .arrived = clusters.arrived,
-                 .strengths = clusters.fromEverywhere.strengths,
-                 .entered = clusters.entered,
-                 .clusterPaints = inputs.tables.paint.clusters,
-                 .fromAfar = withOthers ? clusters.fromAfar : clusters.sources},
-                {.clusterCount = clusters.count,
-                 .raysOutwards = clusters.raysOutwards,
-                 .isFirst = reentry.isFirst});
-  commands.dispatchLinear(clusters.count);
-  if (withOthers) {
-    commands.bind(enteredAround_.of(inputs.tables.paint.any),
-                  {.objects = inputs.tables.objects,
-                   .media = inputs.tables.media,
-                   .clusterNodes = clusters.nodes,
-                   .ranges = clusters.ranges,
-                   .clusters = clusters.clusters,
-                   .around = clusters.around,
-                   .fromAfar = clusters.fromAfar,
-                   .entered = clusters.entered,
-                   .strengths = clusters.fromEverywhere.strengths,
-                   .clusterPaints = inputs.tables.paint.clusters},
-                  {.clusterCount = clusters.count});
-    commands.dispatchLinear(clusters.count);
-  }
-  spreadEverywhere(commands, inputs, clusters, false, reentry.isNew);
+  spreadEverywhere(commands, inputs, clusters, false, isNew);
   commands.endPass();
 }
 

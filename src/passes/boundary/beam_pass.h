@@ -9,10 +9,8 @@
 #include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
-#include "shaders/boundary/entered_around.comp.h"
 #include "shaders/boundary/guided.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
-#include "shaders/boundary/reentry.comp.h"
 #include "shaders/boundary/second_collisions.comp.h"
 #include "shaders/boundary/single.comp.h"
 #include "shaders/boundary/single_coefficients.comp.h"
@@ -45,19 +43,16 @@ class BeamPass {
   };
   struct Wanted {
     bool sky;      ///< light from everywhere is not dark
-    bool bounces;  ///< recordReentry follows
+    bool bounces;  ///< recordAgain follows
     bool isNew;    ///< the shape is new, so its coefficients have to be found
   };
   /// Records the light of all lights and the light from everywhere.
   void recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                     Clusters& clusters) const;
-  struct Reentry {
-    bool isFirst;
-    bool isNew;  ///< the shape is new, and no light from everywhere has been recorded for it
-  };
-  /// Records light that just left, `latest`, as it enters again.
-  void recordReentry(gpu::CommandList& commands, const Inputs& inputs, const Reentry& reentry,
-                     Clusters& clusters) const;
+  /// Records light that enters again, as ReentryPass found it. `isNew`: the shape is new, and no
+  /// light from everywhere has been recorded for it.
+  void recordAgain(gpu::CommandList& commands, const Inputs& inputs, bool isNew,
+                   Clusters& clusters) const;
 
  private:
   struct Beam {
@@ -107,8 +102,6 @@ class BeamPass {
 
   /// Variants without code for paint, or for linings, if the scene has none.
   static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
-  /// Likewise, or for one body alone.
-  static Variants<shaders::BoundaryReentry> makeReentry(gpu::Device& device, bool withPaint);
 
   VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< indexed by paint, then linings
   std::uint32_t sharers_;                        ///< invocations that share the paths of a beam
@@ -127,8 +120,6 @@ class BeamPass {
   Variants<shaders::BoundarySourceCoefficients> sourceCoefficients_;
   Variants<shaders::BoundarySingleCoefficients> singleForwardCoefficients_;
   gpu::Compute<shaders::BoundarySingleCoefficients> singleEvenCoefficients_;
-  VariantsOfTwo<shaders::BoundaryReentry> reentry_;  ///< indexed by paint, then other bodies
-  Variants<shaders::BoundaryEnteredAround> enteredAround_;
 };
 
 }  // namespace opaline::passes

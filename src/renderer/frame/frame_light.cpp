@@ -109,15 +109,15 @@ struct LightOfFrame : FrameContext {
         keepsCoefficients()};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
-      if (again)
-        passes.beams.recordReentry(
-            commands, inputs,
-            {.isFirst = bounce == 1, .isNew = plan.shape && bounce == 1 && plan.skyIsDark},
-            clusters);
-      else
+      if (again) {
+        passes.reentry.record(commands, resources.tables, bounce == 1, clusters);
+        const bool isNew = plan.shape && bounce == 1 && plan.skyIsDark;
+        passes.beams.recordAgain(commands, inputs, isNew, clusters);
+      } else {
         passes.beams.recordLights(
             commands, inputs,
             {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0, .isNew = plan.shape}, clusters);
+      }
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance *
                               (clusters.haveLinings ? residualBehindLinings : 1);
       passes.solver.record(commands,

@@ -21,6 +21,7 @@ Passes::Passes(gpu::Device& device)
       clusters(device),
       occludedSky(device),
       beams(device),
+      reentry(device),
       solver(device),
       carry(device),
       sky(device),

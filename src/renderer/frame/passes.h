@@ -8,6 +8,7 @@
 #include "passes/boundary/cluster_pass.h"
 #include "passes/boundary/occluded_sky_pass.h"
 #include "passes/boundary/ray_pass.h"
+#include "passes/boundary/reentry_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/deform/deform_pass.h"
 #include "passes/gather/area_light_pass.h"
@@ -58,6 +59,7 @@ struct Passes {
   passes::ClusterPass clusters;
   passes::OccludedSkyPass occludedSky;
   passes::BeamPass beams;
+  passes::ReentryPass reentry;
   passes::SolverPass solver;
   passes::CarryPass carry;
   passes::SkyPass sky;

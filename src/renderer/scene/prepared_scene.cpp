@@ -15,7 +15,10 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
                             EditedScene& scene) {
   const Lighting& lighting = scene.lighting();
   SceneNeeds needs = needsOf(options, plan, lighting);
-  needs.partsMove = scene.partsMove() && (!resources_ || resources_->within.overlapAtRest);
+  // Where no parts overlap, moving them changes nothing.
+  const bool mayOverlap =
+      !resources_ || !resources_->needs.maxClusters || resources_->within.overlapAtRest;
+  if (mayOverlap) needs.partsMove = scene.partsMove();
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
   else
