@@ -267,8 +267,9 @@ struct Clusters {
   gpu::Buffer sums;        ///< of `mirrored`, three integers per cluster; 0 between lights
   gpu::Buffer guidedSums;  ///< of guided light, three integers per cluster: for lights, then for
                            ///< light from everywhere
-  gpu::Buffer arrived;     ///< vec4 per cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;   ///< shared::BeamNode, for the trees of lib/beam_trees.glsl
+  gpu::Buffer arrived;    ///< vec4 per cluster: power that enters after it was mirrored, of all but
+                          ///< the last of these few lights
+  gpu::Buffer beamNodes;  ///< shared::BeamNode, for the trees of lib/beam_trees.glsl
   std::uint32_t mostNodesOfBody = 0;  ///< of the tree
   std::uint32_t roomOfBeamList = 0;
   gpu::Buffer beamLists;         ///< for each tree and group, how many nodes and which

@@ -135,20 +135,20 @@ void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
-  if (wanted.bounces && clusters.lights == 0) commands.fill({clusters.arrived}, 0);
+  if (wanted.bounces) commands.fill({clusters.peaks}, 0);
   clearGuided(commands, inputs.tables, clusters);
   const std::uint32_t atOnce = clusters.fromLights.room;
   for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {
+    const bool isLast = first + atOnce >= clusters.lights;
     clusters.fromLights.lights = std::min(atOnce, clusters.lights - first);
     commands.beginPass("rays");
     trace(commands, inputs, {first, wanted.bounces}, clusters, clusters.fromLights);
-    if (wanted.bounces) bringMirrored(commands, first, clusters);
+    if (wanted.bounces) bringMirrored(commands, first, isLast, clusters);
     commands.endPass();
     commands.beginPass("sources");
     spreadLights(commands, inputs, clusters, first > 0);
-    addGuided(commands, inputs.tables, false, clusters);
-    if (first + atOnce < clusters.lights) {
-      takeGuided(commands, inputs.tables, clusters);
+    if (!isLast) {
+      takeGuided(commands, inputs.tables, {.ofLights = true, .ofEverywhere = false}, clusters);
       clearGuided(commands, inputs.tables, clusters);
     }
     commands.endPass();
@@ -159,13 +159,12 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     commands.endPass();
   }
   commands.beginPass("sources");
-  if (wanted.sky) {
+  if (wanted.sky)
     spreadEverywhere(commands, inputs, clusters, clusters.lights > 0, wanted.isNew);
-    addGuided(commands, inputs.tables, true, clusters);
-  } else if (clusters.lights == 0) {
+  else if (clusters.lights == 0)
     commands.fill({clusters.sources, clusters.latest}, 0);
-  }
-  if (wanted.sky || clusters.lights > 0) takeGuided(commands, inputs.tables, clusters);
+  takeGuided(commands, inputs.tables, {.ofLights = clusters.lights > 0, .ofEverywhere = wanted.sky},
+             clusters);
   commands.endPass();
 }
 
@@ -234,10 +233,12 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
                           shared::pathsOfBeam / sharers_ * roundsOfWalk);
 }
 
-void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
+// ReentryPass takes what the last lights bring.
+void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight, bool isLast,
                              Clusters& clusters) const {
   const std::uint32_t lights = clusters.fromLights.lights;
   for (const auto* pipeline : {&addMirrored_, &takeMirrored_}) {
+    if (isLast && pipeline == &takeMirrored_) continue;
     commands.bind(*pipeline,
                   {.mirrored = clusters.mirrored,
                    .peaks = clusters.peaks,
@@ -258,39 +259,30 @@ void BeamPass::clearGuided(gpu::CommandList& commands, const SceneTables& tables
       {clusters.fromLights.strongest, clusters.fromEverywhere.strongest, clusters.guidedSums}, 0);
 }
 
-void BeamPass::addGuided(gpu::CommandList& commands, const SceneTables& tables, bool ofEverywhere,
-                         Clusters& clusters) const {
-  if (!tables.followsLight) return;
-  bringGuided(commands, addGuided_, ofEverywhere, clusters);
-  const std::uint32_t lights = ofEverywhere ? 1 : clusters.fromLights.lights;
-  commands.dispatchLinear(lights * clusters.count * shared::pathsOfBeam);
-}
-
-void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables,
+void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables, const GuidedOf& of,
                           Clusters& clusters) const {
-  if (!tables.followsLight) return;
-  bringGuided(commands, takeGuided_, false, clusters);
-  commands.dispatchLinear(clusters.count);
-}
-
-void BeamPass::bringGuided(gpu::CommandList& commands,
-                           const gpu::Compute<shaders::BoundaryGuided>& pipeline, bool ofEverywhere,
-                           Clusters& clusters) {
-  Beams& beams = ofEverywhere ? clusters.fromEverywhere : clusters.fromLights;
-  commands.bind(pipeline,
-                {.clusterNodes = clusters.nodes,
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .around = clusters.around,
-                 .strengths = beams.strengths,
-                 .strongest = clusters.fromLights.strongest,
-                 .guided = beams.guided,
-                 .sums = clusters.guidedSums,
-                 .latest = clusters.latest,
-                 .strongestOfEverywhere = clusters.fromEverywhere.strongest},
-                {.clusterCount = clusters.count,
-                 .lights = clusters.fromLights.lights,
-                 .comesFromEverywhere = ofEverywhere});
+  if (!tables.followsLight || !(of.ofLights || of.ofEverywhere)) return;
+  const std::uint32_t lights = of.ofLights ? clusters.fromLights.lights : 0;
+  for (const auto* pipeline : {&addGuided_, &takeGuided_}) {
+    commands.bind(
+        *pipeline,
+        {.clusterNodes = clusters.nodes,
+         .ranges = clusters.ranges,
+         .clusters = clusters.clusters,
+         .around = clusters.around,
+         .strengths = clusters.fromLights.strengths,
+         .strongest = clusters.fromLights.strongest,
+         .guided = clusters.fromLights.guided,
+         .sums = clusters.guidedSums,
+         .latest = clusters.latest,
+         .strongestOfEverywhere = clusters.fromEverywhere.strongest,
+         .strengthsOfEverywhere = clusters.fromEverywhere.strengths,
+         .guidedOfEverywhere = clusters.fromEverywhere.guided},
+        {.clusterCount = clusters.count, .lights = lights, .withEverywhere = of.ofEverywhere});
+    const std::uint32_t beams = lights + (of.ofEverywhere ? 1 : 0);
+    commands.dispatchLinear(clusters.count *
+                            (pipeline == &addGuided_ ? beams * shared::pathsOfBeam : 1));
+  }
 }
 
 void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,

@@ -63,18 +63,18 @@ class BeamPass {
              Beams& beams) const;
   void followOn(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                 Clusters& clusters, Beams& beams) const;
-  void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
+  void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight, bool isLast,
                      Clusters& clusters) const;
   /// Light that scattered once and was then mirrored inside: clears its sums; adds up where it
-  /// leaves, for the last lights or for light from everywhere; adds both sums to `latest`.
+  /// leaves and adds that to `latest`.
   static void clearGuided(gpu::CommandList& commands, const SceneTables& tables,
                           Clusters& clusters);
-  void addGuided(gpu::CommandList& commands, const SceneTables& tables, bool ofEverywhere,
-                 Clusters& clusters) const;
-  void takeGuided(gpu::CommandList& commands, const SceneTables& tables, Clusters& clusters) const;
-  static void bringGuided(gpu::CommandList& commands,
-                          const gpu::Compute<shaders::BoundaryGuided>& pipeline, bool ofEverywhere,
-                          Clusters& clusters);
+  struct GuidedOf {
+    bool ofLights;  ///< of the last lights
+    bool ofEverywhere;
+  };
+  void takeGuided(gpu::CommandList& commands, const SceneTables& tables, const GuidedOf& of,
+                  Clusters& clusters) const;
   void spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                     bool adds) const;
   void spreadEverywhere(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,

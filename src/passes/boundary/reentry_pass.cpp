@@ -1,5 +1,7 @@
 #include "passes/boundary/reentry_pass.h"
 
+#include <cstdint>
+
 namespace opaline::passes {
 
 Variants<shaders::BoundaryReentry> ReentryPass::make(gpu::Device& device, bool withPaint) {
@@ -18,21 +20,27 @@ void ReentryPass::record(gpu::CommandList& commands, SceneTables& tables, bool i
                          Clusters& clusters) const {
   const bool withOthers{clusters.fromAfar};
   commands.beginPass("sources");
-  commands.bind(
-      reentry_.of(tables.paint.any, withOthers),
-      {.objects = tables.objects,
-       .media = tables.media,
-       .ranges = clusters.ranges,
-       .clusters = clusters.clusters,
-       .meetings = clusters.meetings,
-       .latest = clusters.latest,
-       .enteredBefore = clusters.enteredBefore,
-       .arrived = clusters.arrived,
-       .strengths = clusters.fromEverywhere.strengths,
-       .entered = clusters.entered,
-       .clusterPaints = tables.paint.clusters,
-       .fromAfar = withOthers ? clusters.fromAfar : clusters.entered},
-      {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
+  const std::uint32_t lights = clusters.lights > 0 ? clusters.fromLights.lights : 0;
+  commands.bind(reentry_.of(tables.paint.any, withOthers),
+                {.objects = tables.objects,
+                 .media = tables.media,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .meetings = clusters.meetings,
+                 .latest = clusters.latest,
+                 .enteredBefore = clusters.enteredBefore,
+                 .arrived = clusters.arrived,
+                 .strengths = clusters.fromEverywhere.strengths,
+                 .entered = clusters.entered,
+                 .clusterPaints = tables.paint.clusters,
+                 .fromAfar = withOthers ? clusters.fromAfar : clusters.entered,
+                 .peaks = clusters.peaks,
+                 .sums = clusters.sums},
+                {.clusterCount = clusters.count,
+                 .raysOutwards = clusters.raysOutwards,
+                 .isFirst = isFirst,
+                 .firstLight = clusters.lights - lights,
+                 .lights = lights});
   commands.dispatchLinear(clusters.count);
   if (withOthers) recordAround(commands, tables, clusters);
   commands.endPass();

@@ -196,8 +196,6 @@ void main() {
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = light == frame.counts.w;
   if (everywhere) {
-    if (beam == 0u)
-      for (uint l = 0u; l < maxLights; ++l) peaks[l] = 0u;  // for the next frame
     vec3 share = skyShares[i].rgb;
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
     power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));

@@ -21,11 +21,13 @@ layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided
 layout(std430, set = 0, binding = 7) buffer Sums { uint sums[]; };  // three per cluster, of lights, then of everywhere
 layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };  // M₁
 layout(std430, set = 0, binding = 9) readonly buffer StrongestOfEverywhere { uint strongestOfEverywhere[]; };
+layout(std430, set = 0, binding = 10) readonly buffer StrengthsOfEverywhere { vec4 strengthsOfEverywhere[]; };
+layout(std430, set = 0, binding = 11) readonly buffer GuidedOfEverywhere { Guided guidedOfEverywhere[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint lights;
-  uint comesFromEverywhere;  // 1: so does the light that is added up
+  uint lights;          // that were found together
+  uint withEverywhere;  // 1: light from everywhere is added up after theirs
 };
 
 // The power that 1 of the sums stands for.
@@ -66,14 +68,20 @@ void main() {
     if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += exitanceAround(i);
     return;
   }
-  float one = powerOfOne(comesFromEverywhere);
+  uint ofLights = lights * clusterCount * pathsOfBeam;
+  uint everywhere = i >= ofLights ? 1u : 0u;
+  if (i >= ofLights + withEverywhere * clusterCount * pathsOfBeam) return;
+  float one = powerOfOne(everywhere);
   if (one <= 0.0) return;
-  uint beam = i / pathsOfBeam;
-  uint path = i % pathsOfBeam;
-  if (beam >= (comesFromEverywhere != 0u ? 1u : lights) * clusterCount) return;
-  vec4 strength = strengths[beam];
+  uint way = i - everywhere * ofLights;
+  uint path = way % pathsOfBeam;
+  vec4 strength = everywhere != 0u ? strengthsOfEverywhere[way / pathsOfBeam] : strengths[way / pathsOfBeam];
   if (path >= 3u * unpackPointCounts(strength.w).y) return;
-  Guided its = guided[i];
+  Guided its;
+  if (everywhere != 0u)
+    its = guidedOfEverywhere[way];
+  else
+    its = guided[way];
   uint parts = uint(strength[path % 3u] * its.share / one + 0.5);
-  if (parts > 0u) atomicAdd(sums[3u * (comesFromEverywhere * clusterCount + its.cluster) + path % 3u], parts);
+  if (parts > 0u) atomicAdd(sums[3u * (everywhere * clusterCount + its.cluster) + path % 3u], parts);
 }

@@ -5,8 +5,11 @@
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_PAINTS 10
+#define BINDING_PEAKS 12
+#define BINDING_SUMS 13
 #include "lib/diffuse_power.glsl"
 #include "lib/linear.glsl"
+#include "lib/mirrored_sums.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
@@ -23,7 +26,9 @@ layout(constant_id = 1) const uint withOthers = 0u;  // 1: entered_around.comp.g
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
-  uint isFirst;  // 1: adds light that was mirrored on arrival
+  uint isFirst;     // 1: adds light that was mirrored on arrival
+  uint firstLight;  // of those that were found together last
+  uint lights;      // that were; 0: none
 };
 
 // Where light comes from afar, in radii of the cluster that it enters.
@@ -50,7 +55,11 @@ void main() {
     if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
   }
   float area = cluster.centroidArea.w;
-  if (isFirst != 0u && area > 0.0) sum += arrived[i].rgb / area;
+  if (isFirst != 0u && lights > 0u) {
+    vec3 power = takeMirrored(i, firstLight, lights, clusterCount);
+    if (firstLight > 0u) power += arrived[i].rgb;
+    if (area > 0.0) sum += power / area;
+  }
   entered[i] = vec4(sum - far, 0.0);
   if (withOthers != 0u) fromAfar[i] = vec4(far, 0.0);
   strengths[i].rgb = diffusePower(i, cluster, insideOf(objects[ranges[i].object]), sum);
