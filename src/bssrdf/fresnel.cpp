@@ -89,9 +89,15 @@ double meanCosineInside(double eta) {
   });
 }
 
-double meanReflectanceOfEntered(double eta) {
-  return meanOfEntered(eta,
-                       [](double /*squared*/, double transmitted) { return 1.0 - transmitted; });
+double mirroredOfEntered(double eta) {
+  constexpr double thickness = 0.3;
+  const double collides = meanOfEntered(eta, [&](double squared, double transmitted) {
+    const double cosine = std::sqrt(1.0 - (1.0 - squared) / (eta * eta));
+    const double passes = std::exp(-thickness / cosine);
+    return (1.0 - passes) / (1.0 - (1.0 - transmitted) * passes);
+  });
+  const double passes = std::exp(-thickness / meanCosineInside(eta));
+  return (1.0 - (1.0 - passes) / collides) / passes;
 }
 
 double diffuseReflectanceInside(double eta) {

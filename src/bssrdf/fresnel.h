@@ -16,9 +16,11 @@ double meanTransmittance(double eta);
 /// ∫₀¹ F_t μ dμ.
 double meanCosineInside(double eta);
 
-/// Of diffuse light that entered through a plane, the share that a parallel plane mirrors, eta ≥ 1:
-/// ∫₀¹ F_t (1 − F_t) μ dμ / ∫₀¹ F_t μ dμ.
-double meanReflectanceOfEntered(double eta);
+/// Of diffuse light that entered a slab, the share that each side has to mirror so that light of
+/// the mean cosine inside collides as often as light of all directions does, each mirrored by
+/// Fresnel's law; eta ≥ 1. It depends little on the slab's thickness. For 0.3 free paths it is
+/// exact; from 0.1 to 10, what collides is within 0.7 %.
+double mirroredOfEntered(double eta);
 
 /// Classic internal diffuse reflectance F_dr (Egan and Hilgeman 1973, as in Jensen et al. 2001).
 double diffuseReflectanceInside(double eta);

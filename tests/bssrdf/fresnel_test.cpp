@@ -119,20 +119,30 @@ TEST(MeanCosineInside, OfEqualMediaIsTwoThirds) {
   EXPECT_NEAR(meanCosineInside(1.0), 2.0 / 3, 1e-6);
 }
 
-TEST(MeanReflectanceOfEntered, IsTheIntegral) {
-  for (const double eta : {1.01, 1.1, 1.3, 1.5, 2.0}) {
-    const auto mean = [&](double power) {
-      return integrate(
-          [&](double s) {
-            const double mu = s * s * s;
-            const double reflected = fresnelReflectance(eta, mu);
-            return (1 - reflected) * std::pow(reflected, power) * mu * 3 * s * s;
-          },
-          0, 1, 4000);
-    };
-    EXPECT_NEAR(meanReflectanceOfEntered(eta), mean(1) / mean(0), 1e-4) << eta;
-  }
-  EXPECT_EQ(meanReflectanceOfEntered(1), 0);
+// What collides of light from all directions, over all ways to and fro, against the way of the mean
+// cosine.
+TEST(MirroredOfEntered, GivesWhatCollidesInSlabs) {
+  for (const double eta : {1.2, 1.3, 1.4, 1.5})
+    for (const double thickness : {0.1, 0.3, 0.8, 2.0, 5.0, 10.0}) {
+      const auto mean = [&](const auto& function) {
+        return integrate(
+            [&](double s) {
+              const double mu = s * s * s;
+              const double inside = std::sqrt(1 - (1 - mu * mu) / (eta * eta));
+              const double reflected = fresnelReflectance(eta, mu);
+              return (1 - reflected) * mu * function(inside, reflected) * 3 * s * s;
+            },
+            0, 1, 4000);
+      };
+      const double exact = mean([&](double cosine, double reflected) {
+                             const double passes = std::exp(-thickness / cosine);
+                             return (1 - passes) / (1 - reflected * passes);
+                           }) /
+                           mean([](double, double) { return 1.0; });
+      const double passes = std::exp(-thickness / meanCosineInside(eta));
+      const double collides = (1 - passes) / (1 - mirroredOfEntered(eta) * passes);
+      EXPECT_NEAR(collides / exact, 1, 0.0075) << eta << ", " << thickness;
+    }
 }
 
 /// (k+1) ∫ F_in μ^k dμ.

@@ -82,7 +82,7 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   const double eta = medium.eta;
   inside.diffusion.w = static_cast<float>((1 + bssrdf::threeC2(eta)) / (1 - bssrdf::twoC1(eta)));
   inside.sigma.w = static_cast<float>(bssrdf::meanCosineInside(eta));
-  inside.scatters.w = static_cast<float>(bssrdf::meanReflectanceOfEntered(eta));
+  inside.scatters.w = static_cast<float>(bssrdf::mirroredOfEntered(eta));
   inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
   inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
   return inside;

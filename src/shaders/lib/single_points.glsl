@@ -49,9 +49,10 @@ vec3 fromPlaces(BeamPoint point, vec3 arrival, float smoothing, uint target) {
 }
 
 // s for light that entered through a disc with that normal and, in w, radius, over ρ_i² + ρ_j². Light leaves only from
-// within a cone. What lies just below a cluster on the same side is in its own disc. What comes through a thin part lies
-// in all discs of the other side that the cone meets, and with less smoothing it would be one or two of them by chance.
-const float smoothingOfSame = 0.25;
+// within a cone. What comes through a thin part lies in all discs of the other side that the cone meets; with as little
+// smoothing as on the same side it would be one or two of them, by chance. Of the same side's discs a cluster's own has
+// most, exactly.
+const float smoothingOfSame = 0.45;
 const float smoothingOfOther = 1.5;
 const float cosineOfSame = -0.5;  // between the normals, at least
 const float cosineOfOther = -0.9;

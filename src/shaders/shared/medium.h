@@ -19,8 +19,8 @@ struct BoundaryMedium {
   vec4 albedo;      // rgb: α'; w: critical cosine √(1 - 1/η²)
   // For single collisions, without forward peaks (bssrdf::ScaledScattering).
   vec4 collision;  // rgb: σ_t*, 1/mm; w: mean cosine g*
-  vec4 scatters;   // rgb: α*; w: share of the diffuse light inside that a plane on the other side
-                   // mirrors
+  vec4 scatters;   // rgb: α*; w: share of diffuse light that a plane on the other side mirrors
+                   // (bssrdf::mirroredOfEntered)
   vec4 reflected;  // rgb: share of the light that entered a half-space which leaves it
 };
 
