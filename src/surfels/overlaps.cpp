@@ -1,13 +1,13 @@
 #include "surfels/overlaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
 
 #include "core/disjoint_sets.h"
 #include "core/equal_positions.h"
+#include "core/half_edges.h"
 
 namespace opaline::surfels {
 
@@ -23,30 +23,15 @@ constexpr std::size_t mostPairs = 4'000'000;
 // For every triangle the number of its part. Triangles hang together at edges that only the two of
 // them have, so boxes side by side are parts of their own.
 std::vector<std::uint32_t> partsOf(const core::RestSurface& surface) {
-  struct Edge {
-    std::array<std::uint32_t, 2> points;
-    std::uint32_t triangle;
-  };
-  const std::vector<std::uint32_t> points = core::equalPositions(surface.positionsMm);
-  std::vector<Edge> edges;
-  edges.reserve(3 * surface.triangles.size());
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = points[surface.triangles[t][i]];
-      const std::uint32_t b = points[surface.triangles[t][(i + 1) % 3]];
-      edges.push_back({{std::min(a, b), std::max(a, b)}, t});
-    }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return std::pair(a.points, a.triangle) < std::pair(b.points, b.triangle);
+  const std::vector<Triangle> joined =
+      core::renamed(surface.triangles, core::equalPositions(surface.positionsMm));
+  core::DisjointSets sets(joined.size());
+  core::forEachEdge(core::sortedHalfEdges(joined), [&](std::span<const core::HalfEdge> edge) {
+    if (edge.size() == 2) sets.join(edge[0].triangle, edge[1].triangle);
   });
-  core::DisjointSets sets(surface.triangles.size());
-  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
-    while (end < edges.size() && edges[end].points == edges[first].points) ++end;
-    if (end - first == 2) sets.join(edges[first].triangle, edges[first + 1].triangle);
-  }
   std::vector<std::uint32_t> parts;
-  parts.reserve(surface.triangles.size());
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) parts.push_back(sets.find(t));
+  parts.reserve(joined.size());
+  for (std::uint32_t t = 0; t < joined.size(); ++t) parts.push_back(sets.find(t));
   return parts;
 }
 

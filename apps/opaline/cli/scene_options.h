@@ -51,6 +51,9 @@ class SceneOptions {
 /// with its turn and scale, --ground.
 class LightOptions {
  public:
+  /// Title of their section in the help.
+  static constexpr const char* section = "Light; lights given here replace all lights of the scene";
+
   void addTo(CommandLine& line);
   bool any() const { return any_ || ground_ || !turned_.empty(); }
   /// Once any light is given, only the given lights shine. Turn and intensity apply to the

@@ -5,6 +5,7 @@
 #include "cli/frame_names.h"
 #include "cli/motion_options.h"
 #include "film/film_output.h"
+#include "film/framing.h"
 #include "film/picture_stamp.h"
 
 namespace opaline::app {
@@ -19,12 +20,25 @@ void requireOutputs(const Target& output, const std::optional<FrameRange>& frame
   if (report) requireWritable(*report);
 }
 
-void addStamps(const Scene& scene, const std::shared_ptr<const MeshSequence>& sequence,
-               const Json& method, FilmOrder& to) {
-  if (isFilm(to.output.path)) return;
-  PictureMakers makers{scene, to.options, to.clip, to.aov, to.tone, sequence, method};
-  if (extensionOf(to.output.path) == ".exr") makers.tone.reset();
-  to.stamp = frameStamps(makers, to.frames);
+void PictureJob::aimCamera(const std::optional<FrameRange>& frames) {
+  showAll(scene,
+          {time.clip, aspectOf(options), sequence.get(),
+           frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get()),
+           kept.get()});
+}
+
+FilmOrder PictureJob::filmOrder(const FrameRange& frames, Aov aov, const Json& method) const {
+  FilmOrder order{.frames = frames,
+                  .output = output,
+                  .aov = aov,
+                  .options = options,
+                  .clip = time.clip,
+                  .tone = tone};
+  if (isFilm(output.path)) return order;
+  PictureMakers makers{scene, options, time.clip, aov, tone, sequence, method};
+  if (extensionOf(output.path) == ".exr") makers.tone.reset();
+  order.stamp = frameStamps(makers, frames);
+  return order;
 }
 
 void addOutputs(const std::string& option, const std::filesystem::path& file,

@@ -11,8 +11,10 @@
 #include "cli/json.h"
 #include "cli/paths.h"
 #include "film/film.h"
+#include "film/kept_positions.h"
 #include "opaline/file.h"
 #include "opaline/log.h"
+#include "opaline/options/picture.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
 
@@ -24,9 +26,22 @@ namespace opaline::app {
 void requireOutputs(const Target& output, const std::optional<FrameRange>& frames,
                     const std::optional<std::filesystem::path>& report);
 
-/// Gives each picture of the order a stamp, so that --resume knows it again. A film has none.
-void addStamps(const Scene& scene, const std::shared_ptr<const MeshSequence>& sequence,
-               const Json& method, FilmOrder& to);
+/// What such a command settles before it makes its first picture.
+struct PictureJob {
+  Scene scene;
+  RenderOptions options;
+  SceneTime time;  ///< of a still
+  ToneOptions tone;
+  Target output;
+  std::shared_ptr<const MeshSequence> sequence;
+  std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
+
+  /// Also refuses frames beyond the sequence.
+  void aimCamera(const std::optional<FrameRange>& frames);
+  /// Each picture gets a stamp that says the method, so that --resume knows it again. A film has
+  /// none.
+  FilmOrder filmOrder(const FrameRange& frames, Aov aov, const Json& method) const;
+};
 
 /// Adds the file that an option names, or the file of each frame.
 void addOutputs(const std::string& option, const std::filesystem::path& file,

@@ -50,7 +50,7 @@ struct RenderCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; lights given here replace all lights of the scene");
+    line.section(LightOptions::section);
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
@@ -85,24 +85,9 @@ struct RenderCommand {
 };
 
 /// Everything that is settled before rendering starts.
-struct RenderJob {
-  Scene scene;
+struct RenderJob : PictureJob {
   SceneFileSettings settings;
-  RenderOptions options;
-  SceneTime time;
-  ToneOptions tone;
-  Target output;
   std::vector<std::filesystem::path> inputs;
-  std::shared_ptr<const MeshSequence> sequence;
-  std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
-
-  /// Also refuses frames beyond the sequence.
-  void aimCamera(const std::optional<FrameRange>& frames) {
-    showAll(scene,
-            {time.clip, aspectOf(options), sequence.get(),
-             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get()),
-             kept.get()});
-  }
 };
 
 RenderJob prepareRender(const RenderCommand& command, Target output, const LogCallback& log) {
@@ -121,8 +106,9 @@ RenderJob prepareRender(const RenderCommand& command, Target output, const LogCa
     const auto size = noteOnFilmSize(options.width, options.height);
     if (size) log(LogLevel::Note, *size);
   }
-  return {std::move(scene), std::move(settings), options, time, tone, std::move(output),
-          filesOf(source),  std::move(sequence)};
+  return {{std::move(scene), options, time, tone, std::move(output), std::move(sequence)},
+          std::move(settings),
+          filesOf(source)};
 }
 
 std::string onDevice(const DeviceDescription& device) {
@@ -206,15 +192,9 @@ Json methodOf(const RenderOptions& options) {
 }
 
 FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const FrameRange& frames) {
-  FilmOrder order{.frames = frames,
-                  .output = job.output,
-                  .aov = command.picture.aov(),
-                  .options = job.options,
-                  .clip = job.time.clip,
-                  .tone = job.tone,
-                  .resume = command.resume,
-                  .quiet = command.quiet};
-  addStamps(job.scene, job.sequence, methodOf(job.options), order);
+  FilmOrder order = job.filmOrder(frames, command.picture.aov(), methodOf(job.options));
+  order.resume = command.resume;
+  order.quiet = command.quiet;
   return order;
 }
 

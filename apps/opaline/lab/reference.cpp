@@ -44,22 +44,8 @@ double secondsSince(Clock::time_point begin) {
 }
 
 /// Everything that is settled before the computation starts.
-struct ReferenceJob {
-  Scene scene;
-  RenderOptions options;
-  SceneTime time;  ///< of a still
-  ToneOptions tone;
-  Target output;
-  std::shared_ptr<const MeshSequence> sequence;
-  std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
+struct ReferenceJob : PictureJob {
   Clock::time_point begin{};  ///< of the command
-
-  void aimCamera(const std::optional<FrameRange>& frames) {
-    showAll(scene,
-            {time.clip, aspectOf(options), sequence.get(),
-             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get()),
-             kept.get()});
-  }
 };
 
 ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
@@ -82,7 +68,7 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  ReferenceJob job{std::move(scene), options, time, tone, std::move(output), std::move(sequence)};
+  ReferenceJob job{{std::move(scene), options, time, tone, std::move(output), std::move(sequence)}};
   job.aimCamera(command.motion.frames());  // the same in every chunk
   return job;
 }
@@ -275,15 +261,10 @@ Json makeFrames(const ReferenceCommand& command, const ReferenceJob& job,
     noteEmptyChunk(*command.motion.chunk(), log);
     return report;
   }
-  FilmOrder order{.frames = *frames,
-                  .output = job.output,
-                  .aov = command.picture.aov(),
-                  .options = job.options,
-                  .clip = job.time.clip,
-                  .tone = job.tone,
-                  .resume = command.resume,
-                  .quiet = command.quiet};
-  addStamps(job.scene, job.sequence, command.describeMethod(job.options), order);
+  FilmOrder order =
+      job.filmOrder(*frames, command.picture.aov(), command.describeMethod(job.options));
+  order.resume = command.resume;
+  order.quiet = command.quiet;
   const std::size_t missing = framesToMake(order, log);
   if (missing > 0) {
     if (!job.sequence) noteStandstill(job.scene, job.time.clip, log);

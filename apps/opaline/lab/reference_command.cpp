@@ -44,7 +44,7 @@ rf::Region readRegion(const Given& given) {
 void ReferenceCommand::addTo(CommandLine& line) {
   line.section("Scene");
   scene.addTo(line);
-  line.section("Light; lights given here replace all lights of the scene");
+  line.section(LightOptions::section);
   lights.addTo(line);
   line.section("Picture");
   camera.addTo(line);

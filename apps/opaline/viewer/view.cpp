@@ -50,7 +50,7 @@ struct ViewCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; lights given here replace all lights of the scene");
+    line.section(LightOptions::section);
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);

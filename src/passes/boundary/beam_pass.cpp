@@ -237,9 +237,8 @@ void BeamPass::followOn(gpu::CommandList& commands, const Inputs& inputs, const 
 void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight, bool isLast,
                              Clusters& clusters) const {
   const std::uint32_t lights = clusters.fromLights.lights;
-  for (const auto* pipeline : {&addMirrored_, &takeMirrored_}) {
-    if (isLast && pipeline == &takeMirrored_) continue;
-    commands.bind(*pipeline,
+  const auto dispatch = [&](const auto& pipeline, std::uint32_t count) {
+    commands.bind(pipeline,
                   {.mirrored = clusters.mirrored,
                    .peaks = clusters.peaks,
                    .sums = clusters.sums,
@@ -248,8 +247,10 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLigh
                    .firstLight = firstLight,
                    .lights = lights,
                    .adds = firstLight > 0});
-    commands.dispatchLinear(clusters.count * (pipeline == &addMirrored_ ? lights : 1));
-  }
+    commands.dispatchLinear(count);
+  };
+  dispatch(addMirrored_, clusters.count * lights);
+  if (!isLast) dispatch(takeMirrored_, clusters.count);
 }
 
 void BeamPass::clearGuided(gpu::CommandList& commands, const SceneTables& tables,
@@ -263,9 +264,9 @@ void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables,
                           Clusters& clusters) const {
   if (!tables.followsLight || !(of.ofLights || of.ofEverywhere)) return;
   const std::uint32_t lights = of.ofLights ? clusters.fromLights.lights : 0;
-  for (const auto* pipeline : {&addGuided_, &takeGuided_}) {
+  const auto dispatch = [&](const auto& pipeline, std::uint32_t count) {
     commands.bind(
-        *pipeline,
+        pipeline,
         {.clusterNodes = clusters.nodes,
          .ranges = clusters.ranges,
          .clusters = clusters.clusters,
@@ -279,10 +280,11 @@ void BeamPass::takeGuided(gpu::CommandList& commands, const SceneTables& tables,
          .strengthsOfEverywhere = clusters.fromEverywhere.strengths,
          .guidedOfEverywhere = clusters.fromEverywhere.guided},
         {.clusterCount = clusters.count, .lights = lights, .withEverywhere = of.ofEverywhere});
-    const std::uint32_t beams = lights + (of.ofEverywhere ? 1 : 0);
-    commands.dispatchLinear(clusters.count *
-                            (pipeline == &addGuided_ ? beams * shared::pathsOfBeam : 1));
-  }
+    commands.dispatchLinear(count);
+  };
+  const std::uint32_t beams = lights + (of.ofEverywhere ? 1 : 0);
+  dispatch(addGuided_, beams * clusters.count * shared::pathsOfBeam);
+  dispatch(takeGuided_, clusters.count);
 }
 
 void BeamPass::spreadLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,

@@ -1,51 +1,25 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/half_edges.h"
 #include "opaline/types.h"
 
 namespace opaline::scene {
 
-/// A side of a triangle, from `corner` to the next.
-struct HalfEdge {
-  std::uint32_t low = 0;   ///< the smaller vertex
-  std::uint32_t high = 0;  ///< the larger vertex
-  std::uint32_t triangle = 0;
-  std::uint8_t corner = 0;
-  bool forward = true;  ///< runs from low to high
-};
-
-/// All sides of all triangles, those of one edge next to each other.
-std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles);
-
-/// Calls `visit(std::span<const HalfEdge>)` once for every edge.
-template <typename Visit>
-void forEachEdge(std::span<const HalfEdge> sorted, Visit&& visit) {
-  std::size_t begin = 0;
-  while (begin < sorted.size()) {
-    std::size_t end = begin + 1;
-    while (end < sorted.size() && sorted[end].low == sorted[begin].low &&
-           sorted[end].high == sorted[begin].high) {
-      ++end;
-    }
-    visit(sorted.subspan(begin, end - begin));
-    begin = end;
-  }
-}
+using core::forEachEdge;
+using core::HalfEdge;
+using core::renamed;
+using core::sortedHalfEdges;
 
 /// For every vertex the smallest vertex that is the same point of the surface. Open edges that
 /// coincide are sewn together. Surfaces stay apart if they only touch in a point, or if the edges
 /// are already taken.
 std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
                                 std::span<const Triangle> triangles);
-
-/// The triangles with their vertices replaced by `names`.
-std::vector<Triangle> renamed(std::span<const Triangle> triangles,
-                              std::span<const std::uint32_t> names);
 
 /// How many sides belong to one triangle only, and how many closed lines they form. Lines that
 /// touch in a point are separate. The surface must be sewn and its half edges sorted.

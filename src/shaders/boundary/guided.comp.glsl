@@ -4,17 +4,16 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_CLUSTER_NODES 0
+#define BINDING_RANGES 1
+#define BINDING_CLUSTERS 2
+#define BINDING_AROUND 3
 #include "lib/around_cluster.glsl"
-#include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/whole_sums.glsl"
 
 layout(constant_id = 0) const uint addsUp = 1u;
 
-layout(std430, set = 0, binding = 1) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 3) readonly buffer AroundTiles { uint around[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Strongest { uint strongest[]; };
 layout(std430, set = 0, binding = 6) readonly buffer GuidedLight { Guided guided[]; };
@@ -41,31 +40,18 @@ vec3 sumsOf(uint everywhere, uint i) {
   return vec3(sums[first], sums[first + 1u], sums[first + 2u]);
 }
 
-// The mean over the clusters around of the power that leaves, over their areas.
-vec3 exitanceAround(uint i) {
-  float ofLights = powerOfOne(0u);
-  float ofEverywhere = powerOfOne(1u);
-  vec3 place = clusters[i].centroidArea.xyz;
-  vec3 normal = clusters[i].normal.xyz;
-  vec3 sum = vec3(0.0);
-  float area = 0.0;
-  uint list = ranges[i].tile * roomOfAround;
-  uint end = list + 1u + around[list];
-  for (uint at = list + 1u; at < end; ++at) {
-    uint leaf = around[at];
-    uint j = firstSurfelOf(floatBitsToUint(centroidLinkOf(leaf).w));
-    float weight = weightAround(clusters[j].centroidArea.xyz - place, normal, clusters[j].normal.xyz,
-                                spreadOf(leaf).z);
-    sum += weight * (ofLights * sumsOf(0u, j) + ofEverywhere * sumsOf(1u, j));
-    area += weight * clusters[j].centroidArea.w;
-  }
-  return sum / max(area, 1e-30);
+float ones[2];  // powerOfOne() of lights and of everywhere
+
+// What leaves there.
+vec3 powerOf(uint cluster) {
+  return ones[0] * sumsOf(0u, cluster) + ones[1] * sumsOf(1u, cluster);
 }
 
 void main() {
   uint i = linearIndex();
   if (addsUp == 0u) {
-    if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += exitanceAround(i);
+    ones = float[2](powerOfOne(0u), powerOfOne(1u));
+    if (i < clusterCount && boundsDiffusion(ranges[i].kind)) latest[i].rgb += meanAround(i);
     return;
   }
   uint ofLights = lights * clusterCount * pathsOfBeam;
