@@ -113,6 +113,7 @@ struct SceneTables {
   bool followsLight = false;     ///< followed to its second collision in any medium; see
                                  ///< shared/boundary.h
   bool scattersEvenly = true;    ///< g of every medium is 0
+  bool haveThinParts = false;    ///< light goes through some bodies without being scattered
   bool entersAtSurface = false;  ///< for some channel of some medium, diffuse light is treated by
                                  ///< diffusion at the surface itself; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
@@ -238,6 +239,7 @@ struct Clusters {
   std::uint32_t count = 0;           ///< of clusters
   std::uint32_t partsOfSurfels = 1;  ///< of the largest, shared::surfelsOfPart
   bool haveSeveralMedia = false;     ///< the clusters of some body have
+  float thinnestMm = 0;      ///< a tenth of some body's clusters are where it is thinner, at rest
   gpu::Buffer objectOfNode;  ///< uint per node of their tree: object of most clusters below it
   bool haveLinings = false;  ///< some clusters are on opaque things in bodies, where the bodies'
                              ///< light ends

@@ -305,7 +305,10 @@ class Divider {
     made_.tree.links.push_back(0);
     if (!opened_[node]) {
       made_.tree.links[made] = Tree::leafBit | Tree::setBit | count();
-      made_.clusters.push_back({below_[node].firstSurfel, below_[node].endSurfel, isBack});
+      const auto [first, end] = std::pair(below_[node].firstSurfel, below_[node].endSurfel);
+      const auto thickness = thicknessMm_.begin();
+      made_.clusters.push_back(
+          {first, end, isBack, *std::min_element(thickness + first, thickness + end)});
       return;
     }
     forEachChild(node, [&](std::uint32_t child) { add(child, isBack); });

@@ -20,7 +20,8 @@ struct ClusterDivision {
   struct Cluster {
     std::uint32_t firstSurfel = 0;
     std::uint32_t endSurfel = 0;
-    bool isBack = false;  ///< of the side from which the surface's triangles are clockwise
+    bool isBack = false;     ///< of the side from which the surface's triangles are clockwise
+    double thicknessMm = 0;  ///< the least under its surfels, see surfels::thicknessMm
 
     bool operator==(const Cluster&) const = default;
   };

@@ -85,11 +85,14 @@ struct BeamPass::Spreading {
   }
 };
 
-Variants<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool withPaint) {
-  const auto make = [&](bool withLinings) -> gpu::Compute<shaders::BoundaryBeams> {
-    return {device, "points of light", {.withPaint = withPaint, .withLinings = withLinings}};
+VariantsOfTwo<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, bool withPaint) {
+  const auto make = [&](bool withLinings,
+                        bool withThinParts) -> gpu::Compute<shaders::BoundaryBeams> {
+    return {device,
+            "points of light",
+            {.withPaint = withPaint, .withLinings = withLinings, .withThinParts = withThinParts}};
   };
-  return {make(false), make(true)};
+  return {{make(false, false), make(false, true)}, {make(true, false), make(true, true)}};
 }
 
 BeamPass::BeamPass(gpu::Device& device)
@@ -177,7 +180,8 @@ void BeamPass::recordAgain(gpu::CommandList& commands, const Inputs& inputs, boo
 
 void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                      Clusters& clusters, Beams& beams) const {
-  commands.bind(trace_.of(inputs.tables.paint.any, clusters.haveLinings),
+  const auto& ofPaint = inputs.tables.paint.any ? trace_.with : trace_.without;
+  commands.bind(ofPaint.of(clusters.haveLinings, beam.entersAgain && inputs.tables.haveThinParts),
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -202,7 +206,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .lights = beams.lights,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = inputs.surfels.tree.nodeCount,
-                 .mirrors = beam.mirrors});
+                 .mirrors = beam.entersAgain});
   commands.dispatchLinear(beams.lights * clusters.count, shared::maxReflections * roundsOfWalk);
   if (inputs.tables.followsLight) followOn(commands, inputs, beam, clusters, beams);
 }

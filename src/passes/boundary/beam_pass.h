@@ -57,7 +57,7 @@ class BeamPass {
  private:
   struct Beam {
     std::uint32_t firstLight;  ///< or the number of lights
-    bool mirrors;              ///< light that the surface does not let in is mirrored
+    bool entersAgain;          ///< what the surface mirrors and what bodies let through
   };
   void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
              Beams& beams) const;
@@ -101,10 +101,14 @@ class BeamPass {
   void fitNodes(gpu::CommandList& commands, const Trees& trees, const Spreading& of) const;
 
   /// Variants without code for paint, or for linings, if the scene has none.
-  static Variants<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
+  static VariantsOfTwo<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
 
-  VariantsOfTwo<shaders::BoundaryBeams> trace_;  ///< indexed by paint, then linings
-  std::uint32_t sharers_;                        ///< invocations that share the paths of a beam
+  /// By paint, then linings and thin parts.
+  struct {
+    VariantsOfTwo<shaders::BoundaryBeams> without;
+    VariantsOfTwo<shaders::BoundaryBeams> with;
+  } trace_;
+  std::uint32_t sharers_;  ///< invocations that share the paths of a beam
   Variants<shaders::BoundarySecondCollisions> followOn_;  ///< indexed by linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -92,7 +93,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
   std::vector<shared::ClusterRange> ranges;
   std::uint32_t firstPatch = 0;
   for (std::uint32_t i = 0; i < made.count(); ++i) {
-    const auto [first, end, isBack] = made.clusters[i];
+    const auto [first, end, isBack, thicknessMm] = made.clusters[i];
     const std::span<const surfels::Piece> pieces =
         std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
     const std::uint32_t object = objectOfMost(surface, pieces);
@@ -103,10 +104,27 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
       const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
       kind = inside ? shared::bodyWithInside : shared::openBody;
     }
-    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F, firstPatch, 0});
+    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F, firstPatch, 0,
+                      static_cast<float>(thicknessMm)});
     firstPatch += patchesOf(ranges.back());
   }
   return ranges;
+}
+
+// See Clusters::thinnestMm.
+float thinnestMm(const surfels::ClusterDivision& made,
+                 const std::vector<shared::ClusterRange>& ranges) {
+  float thinnest = std::numeric_limits<float>::infinity();
+  for (std::size_t object = 0; object + 1 < made.firstOfObject.size(); ++object) {
+    std::vector<float> thickness;
+    for (std::uint32_t i = made.firstOfObject[object]; i < made.firstOfObject[object + 1]; ++i)
+      if (ranges[i].kind == shared::bodyWithInside) thickness.push_back(ranges[i].thickness);
+    if (thickness.empty()) continue;
+    const auto nth = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 10);
+    std::nth_element(thickness.begin(), nth, thickness.end());
+    thinnest = std::min(thinnest, *nth);
+  }
+  return thinnest;
 }
 
 // The cluster of every surfel; of two, that of the front.
@@ -114,7 +132,7 @@ std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made,
                                            std::uint32_t surfels) {
   std::vector<std::uint32_t> cluster(surfels);
   for (std::uint32_t i = 0; i < made.count(); ++i) {
-    const auto [first, end, isBack] = made.clusters[i];
+    const auto [first, end, isBack, thicknessMm] = made.clusters[i];
     if (!isBack) std::fill(cluster.begin() + first, cluster.begin() + end, i);
   }
   return cluster;
@@ -232,7 +250,8 @@ ClusterPass::ClusterPass(gpu::Device& device)
                 {device, "light that enters", {.withAreaLights = 1, .withNormals = 1}}}},
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
-      survey_(device, "rays of clusters") {}
+      survey_{{device, "rays of clusters", {.withThinParts = 0}},
+              {device, "rays of clusters", {.withThinParts = 1}}} {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
@@ -250,6 +269,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   for (const shared::ClusterRange& range : ranges)
     clusters.partsOfSurfels = std::max(clusters.partsOfSurfels, partsOf(range));
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
+  clusters.thinnestMm = thinnestMm(made, ranges);
   clusters.haveSeveralMedia = haveSeveralMedia(made, ranges);
   clusters.objectOfNode = gpu::makeBuffer(device, "objects of nodes of clusters",
                                           objectsOfNodes(made, ranges), clusterBuffer);
@@ -402,7 +422,7 @@ void ClusterPass::enclose(gpu::CommandList& commands, const ShapeInputs& inputs,
 
 void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(survey_,
+  commands.bind(survey_.of(inputs.looksThrough && inputs.tables.haveThinParts),
                 {.objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .pieceCorners = inputs.rays.corners,

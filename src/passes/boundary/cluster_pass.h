@@ -47,6 +47,7 @@ class ClusterPass {
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
     bool looksAround;    ///< else each cluster sees all of the sky and nothing else
+    bool looksThrough;   ///< and the sky behind bodies that let some of its light through
   };
   /// Records where clusters lie, and which nodes act on which.
   void recordShape(gpu::CommandList& commands, const ShapeInputs& inputs, Clusters& clusters) const;
@@ -79,7 +80,7 @@ class ClusterPass {
   VariantsOfTwo<shaders::BoundaryEntries> entries_;  ///< indexed by area lights and normal textures
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
-  gpu::Compute<shaders::BoundarySurvey> survey_;
+  Variants<shaders::BoundarySurvey> survey_;  ///< by thin parts
 };
 
 }  // namespace opaline::passes

@@ -36,10 +36,10 @@ struct LightOfFrame : FrameContext {
   void findShape() const {
     if (sendsRays(plan)) passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     if (!usesClusters(plan)) return;
-    const passes::ClusterPass::ShapeInputs inputs{scene.mesh,       resources.tables,
-                                                  resources.sky,    scene.surfels,
-                                                  scene.rays,       openingAngleOf(plan.tolerance),
-                                                  looksAround(plan)};
+    const passes::ClusterPass::ShapeInputs inputs{scene.mesh,        resources.tables,
+                                                  resources.sky,     scene.surfels,
+                                                  scene.rays,        openingAngleOf(plan.tolerance),
+                                                  looksAround(plan), looksThrough(plan)};
     passes.clusters.recordShape(commands, inputs, scene.clusters);
     if (solves(plan) && keepsCoefficients())
       passes.solver.recordCoefficients(commands, openingAngleOf(plan.tolerance), resources.tables,

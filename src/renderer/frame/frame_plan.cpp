@@ -93,6 +93,10 @@ bool looksAround(const FramePlan& plan) {
   return usesClusters(plan) && (plan.bounces > 0 || plan.occludesSky || carriesOpaque(plan));
 }
 
+bool looksThrough(const FramePlan& plan) {
+  return looksAround(plan) && plan.bounces > 0;
+}
+
 bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
   return !skyIsDark(lighting) && (plan.transport == Transport::Boundary || plan.ambientOcclusion);
 }

@@ -73,6 +73,8 @@ bool carriesOpaque(const FramePlan& plan);
 
 /// Whether clusters find out what they see of each other and of the sky.
 bool looksAround(const FramePlan& plan);
+/// Whether light that has gone through a body unscattered may enter another.
+bool looksThrough(const FramePlan& plan);
 
 /// What follows from options and order alone. `picture`: the radiance is wanted, whether or not it
 /// is among the variables; `exitance`: that of vertices is.

@@ -24,6 +24,7 @@ class ShapeReuse {
     bool clusters;
     bool rays;
     bool looksAround;
+    bool looksThrough;
     bool solves;
     bool entersFromEverywhere;
 

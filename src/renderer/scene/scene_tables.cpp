@@ -98,6 +98,12 @@ bool anyInside(const SceneResources& resources, const std::vector<shared::Medium
                      [&](const Medium& medium) { return holds(insideOf(medium)); });
 }
 
+// Whether more than a little gets through where bodies are that thin.
+bool letsThrough(const shared::BoundaryMedium& inside, float thicknessMm) {
+  const float least = std::min({inside.collision.r, inside.collision.g, inside.collision.b});
+  return std::exp(-least * thicknessMm) > shared::leastThrough;
+}
+
 bool followsLight(const shared::BoundaryMedium& inside) {
   const shared::vec4& albedo = inside.albedo;
   return std::min({albedo.r, albedo.g, albedo.b}) < shared::albedoNotFollowed;
@@ -280,6 +286,9 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.objects = gpu::makeBuffer(device, "objects", onHost.objects, storage);
   tables.media = gpu::makeBuffer(device, "media", onHost.media, storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
+  tables.haveThinParts = anyInside(resources, builder.media(), [&](const auto& inside) {
+    return letsThrough(inside, resources.clusters.thinnestMm);
+  });
   tables.followsLight = anyInside(resources, builder.media(), followsLight);
   tables.entersAtSurface = anyInside(resources, builder.media(), entersAtSurface);
   tables.scattersEvenly = !anyInside(resources, builder.media(), scattersUnevenly);

@@ -18,7 +18,7 @@
 
 layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Entries { Entry entries[]; };
+layout(std430, set = 0, binding = 7) buffer Entries { Entry entries[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Points { BeamPoint points[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths[]; };
 
@@ -34,6 +34,7 @@ layout(std430, set = 0, binding = 18) buffer Strongest { uint strongest[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(constant_id = 1) const uint withLinings = 0u;
+layout(constant_id = 2) const uint withThinParts = 0u;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -54,6 +55,8 @@ const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 const float thinner = 0.5;
 
 #include "lib/beam_body.glsl"
+
+#include "lib/through_bodies.glsl"
 
 uint light;
 uint beam;        // of the cluster and that light, among those found together
@@ -184,6 +187,34 @@ Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
                   0u, 0u, 0u);
 }
 
+// Light that one place of a cluster takes in if nothing is in its way.
+struct Unhidden {
+  vec3 entering;
+  vec3 direction;  // unit, to the light
+  float furthest;  // distance of the light, mm
+};
+
+Unhidden unhiddenAt(vec3 place, vec3 normal, MediumData medium) {
+  if (light >= firstAreaLight())
+    return Unhidden(areaEntering(light, place, normal, medium), directionOfArea(light, place, normal),
+                    length(areaViewFrom(place, light).middle));
+  IncidentLight incident = incidentLight(light, place);
+  return Unhidden(incident.irradiance * enteringPart(incident, normal, normal, medium), incident.direction,
+                  isParallel(incident.kind) ? 3e38 : distance(frame.lights[light].place.xyz, place));
+}
+
+// Of the light that bodies hide from the cluster, what enters after it has gone through them unscattered.
+vec3 enteringThroughBodies(Cluster cluster, Body body, MediumData medium, vec3 visible) {
+  const float leastHidden = 0.02;
+  vec3 place = cluster.start.xyz;
+  Unhidden all = unhiddenAt(place, cluster.facet.xyz, medium);
+  float hidden = 1.0 - largestOf(visible) / max(largestOf(all.entering), 1e-30);
+  if (hidden < leastHidden) return vec3(0.0);
+  RayTarget scene = RayTarget(0u, nodeCount, everyObject);
+  RayHit hit = nearestHit(place, all.direction, body.least, all.furthest, scene);
+  return hidden * all.entering * throughBodies(place, all.direction, hit, body.least, all.furthest, scene);
+}
+
 void main() {
   beam = linearIndex();
   if (beam >= lights * clusterCount) return;
@@ -193,8 +224,12 @@ void main() {
   ObjectData itsBody = objects[ranges[i].object];
   Entry entry = entries[light * clusterCount + i];
   Body body = bodyAt(cluster, itsBody, entry.place.xyz);
-  vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = light == frame.counts.w;
+  if (withThinParts != 0u && !everywhere && ranges[i].kind == bodyWithInside) {
+    entry.irradiance.rgb += enteringThroughBodies(cluster, body, mediumAt(itsBody, cluster.start.xyz), entry.irradiance.rgb);
+    entries[light * clusterCount + i].irradiance = entry.irradiance;
+  }
+  vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   if (everywhere) {
     vec3 share = skyShares[i].rgb;
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);

@@ -27,6 +27,8 @@ layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares
 
 layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
 
+layout(constant_id = 0) const uint withThinParts = 0u;
+
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint piecesPerSurfel;
@@ -64,6 +66,8 @@ vec2 shiftOf(uint cluster) {
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
+
+#include "lib/through_bodies.glsl"
 
 struct PieceFrame {
   vec3 middle;
@@ -120,64 +124,100 @@ struct SkySum {
   float closeEven;  // even light that is hidden by something within closeInEdges
 };
 
+// A ray outwards, and the light from its direction that enters.
+struct RayOutwards {
+  vec3 origin;
+  vec3 direction;
+  float eta;
+  float cosine;    // outside
+  float entering;  // of even light
+  vec3 radiance;   // of the sky, times that
+};
+
+// The k-th ray. Each kind of ray comes from all over the cluster. Directions go in other steps than places over it.
+RayOutwards rayOutwards(uint i, uint k, Cluster cluster, ClusterRange range, ObjectData own) {
+  uint first = range.firstSurfel * piecesPerSurfel;
+  uint count = range.endSurfel * piecesPerSurfel - first;
+  uint toBright = raysToBright();
+  uint aboutNormal = raysOutwards - toBright;
+  bool isAboutNormal = k < aboutNormal;
+  uint kind = isAboutNormal ? aboutNormal : toBright;  // how many rays of it there are
+  uint which = isAboutNormal ? k : k - aboutNormal;
+  PieceFrame place = frameOf(first + (2u * which + 1u) * count / (2u * kind), cluster.along.w);
+  if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
+  vec3 direction = isAboutNormal ? cosineDirection((which * 7u) % kind, kind, shiftOf(i), place.normal, place.along)
+                                 : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
+  float eta = mediumAt(own, place.middle).boundary.x;
+  float outside = dot(direction, place.normal);
+  if (outside <= 0.0) return RayOutwards(place.middle, direction, eta, outside, 0.0, vec3(0.0));
+  float density = densityOfRays(direction, outside);
+  float entering = transmittedInto(eta, outside) * outside / density;
+  // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
+  vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
+  return RayOutwards(place.middle, direction, eta, outside, entering, radiance);
+}
+
 // How far interpolation between clusters reaches, rounded up.
 const float closeInEdges = 3.0;
+
+void addFree(vec3 part, RayOutwards ray, inout SkySum sum) {
+  sum.free += ray.radiance * part;
+  sum.slant += dot(ray.radiance, part) * cosineInside(ray.eta, ray.cosine);
+  sum.freeEven += ray.entering * (part.r + part.g + part.b) / 3.0;
+}
+
+// Adds what comes from behind thin parts of bodies along some of the lane's rays: those in `thin`, a bit for each.
+void lookThrough(uvec2 thin, uint i, uint lane, Cluster cluster, ClusterRange range, inout SkySum sum) {
+  ObjectData own = objects[range.object];
+  float least = rayStartOf(cluster);
+  RayTarget scene = RayTarget(0u, nodeCount, everyObject);
+  while (any(notEqual(thin, uvec2(0u)))) {
+    uint word = thin.x != 0u ? 0u : 1u;
+    uint bit = findLSB(thin[word]);
+    thin[word] &= thin[word] - 1u;
+    RayOutwards ray = rayOutwards(i, lane + (32u * word + bit) * lanes, cluster, range, own);
+    RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
+    addFree(throughBodies(ray.origin, ray.direction, hit, least, 3e38, scene), ray, sum);
+  }
+}
 
 // Sums every `lanes`-th ray of the cluster, from `lane` on.
 SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
-  uint first = range.firstSurfel * piecesPerSurfel;
-  uint count = range.endSurfel * piecesPerSurfel - first;
   float least = rayStartOf(cluster);
-  float side = cluster.along.w;
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
-  uint toBright = raysToBright();
-  uint aboutNormal = raysOutwards - toBright;
   SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  uvec2 thin = uvec2(0u);  // rays that meet what light may get through
   for (uint k = lane; k < raysOutwards; k += lanes) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
     if (range.kind == lining) continue;  // within a body
-    bool isAboutNormal = k < aboutNormal;
-    uint kind = isAboutNormal ? aboutNormal : toBright;  // how many rays of it there are
-    uint which = isAboutNormal ? k : k - aboutNormal;
-    // Each kind of ray comes from all over the cluster.
-    PieceFrame place = frameOf(first + (2u * which + 1u) * count / (2u * kind), side);
-    if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
-    // Directions go in other steps than places over the cluster.
-    vec3 direction = isAboutNormal
-                         ? cosineDirection((which * 7u) % kind, kind, shiftOf(i), place.normal, place.along)
-                         : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
-    float eta = mediumAt(own, place.middle).boundary.x;
-    float outside = dot(direction, place.normal);
-    if (outside <= 0.0) continue;
-    float density = densityOfRays(direction, outside);
-    float entering = transmittedInto(eta, outside) * outside / density;
-    // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
-    vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
-    RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
-    sum.all += radiance;
-    sum.allEven += entering;
+    RayOutwards ray = rayOutwards(i, k, cluster, range, own);
+    if (ray.cosine <= 0.0) continue;
+    RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
+    sum.all += ray.radiance;
+    sum.allEven += ray.entering;
     if (hit.piece == noPiece) {
-      sum.free += radiance;
-      sum.slant += dot(radiance, vec3(cosineInside(eta, outside)));
-      sum.freeEven += entering;
+      addFree(vec3(1.0), ray, sum);
     } else {
+      uint round = k / lanes;
+      if (withThinParts != 0u && isThinAt(hit)) thin[round / 32u] |= 1u << round % 32u;
       sum.nearness += 1.0 / max(hit.distance, least);
       sum.meets += 1.0;
-      if (hit.distance < closeInEdges * edgeOf(cluster)) sum.closeEven += entering;
+      if (hit.distance < closeInEdges * edgeOf(cluster)) sum.closeEven += ray.entering;
       ObjectData met = objects[objectOfPiece(hit.piece)];
-      MediumData other = mediumAt(met, place.middle + hit.distance * direction);
+      MediumData other = mediumAt(met, ray.origin + hit.distance * ray.direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
-      float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
+      float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), ray.direction);
       if (cosine < 0.0 && hasBack(met)) {
         cluster = backOf(cluster, met);
         cosine = -cosine;
       }
       if (cosine > 0.0)
-        meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
+        meetings[i * raysOutwards + k] = Meeting(cluster, ray.entering / (other.inside.extinction.w * pi),
                                                  transmittedInto(other.boundary.x, cosine));
     }
   }
+  if (withThinParts != 0u) lookThrough(thin, i, lane, cluster, range, sum);
   return sum;
 }
 

@@ -28,6 +28,7 @@ struct ClusterRange {
   float side;  // -1 on the back of a sheet, else 1
   uint firstPatch;
   uint tile;
+  float thickness;  // of the body in the rest pose, the least below the cluster, mm
 };
 
 /// Kinds of bodies. Light diffuses only in one with an inside; for diffusion the others have no
@@ -36,6 +37,9 @@ OPALINE_BOUNDARY_CONSTANT openBody = 0u;
 OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
 OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
 OPALINE_BOUNDARY_CONSTANT lining = 3u;
+
+/// Light that goes through bodies unscattered is not followed further when less than this is left.
+OPALINE_BOUNDARY_NUMBER leastThrough = 0.02f;
 
 /// Whether clusters of that kind bound the diffusion.
 OPALINE_BOUNDARY_INLINE bool boundsDiffusion(uint kind) {

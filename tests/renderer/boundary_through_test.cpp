@@ -1,0 +1,101 @@
+// Light that gets through a body without being scattered enters what lies behind it. The bodies in
+// the way absorb and hardly scatter, so nothing else comes from them. The expected values are
+// Fresnel's and Beer's laws.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bssrdf/fresnel.h"
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using BoundaryThroughTest = RendererTest;
+
+constexpr double litRadiusMm = 3;
+constexpr double degree = std::numbers::pi / 180;
+
+Medium milky() {
+  return {"milky", {2, 2, 2}, {0.01F, 0.01F, 0.01F}, 1.3F};
+}
+
+Medium grey(float eta = 1.4F) {
+  return {"grey", {1e-4F, 1e-4F, 1e-4F}, {0.2F, 0.5F, 1.2F}, eta};
+}
+
+/// What gets through a wall of grey.
+double through(std::size_t channel, double thicknessMm, double cosine, double eta = 1.4) {
+  const double inside = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+  const double entering = 1 - bssrdf::fresnelReflectance(eta, cosine);
+  return entering * entering * std::exp(-grey().sigmaAPerMm[channel] * thicknessMm / inside);
+}
+
+std::array<double, 3> exitanceOfBall(const Scene& scene) {
+  const RenderResult result =
+      renderBoundary(scene, boundaryOptions(64, 1), {Aov::Exitance, Aov::Position});
+  return meanWhere(result.images[0], result.images[1],
+                   [](const Vector& at) { return length(at) < 1.01 * litRadiusMm; });
+}
+
+Scene ball() {
+  return sceneOf(sphere({0, 0, 0}, static_cast<float>(litRadiusMm), 4), milky(), {0, -16, 4}, 4);
+}
+
+TEST_F(BoundaryThroughTest, LightThroughAWallFollowsFresnelAndBeer) {
+  for (const double angle : {0.0, 45.0, 65.0}) {
+    const auto [sine, cosine] = std::pair(std::sin(angle * degree), std::cos(angle * degree));
+    Scene scene = ball();
+    scene.lighting.directional = {
+        {{static_cast<float>(sine), 0, static_cast<float>(cosine)}, {1, 1, 1}}};
+    const std::array<double, 3> open = exitanceOfBall(scene);
+    scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), grey()});
+    const std::array<double, 3> behind = exitanceOfBall(scene);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(behind[c] / open[c], through(c, 1, cosine), 0.01) << angle << ' ' << c;
+  }
+}
+
+TEST_F(BoundaryThroughTest, AnAreaLightThroughAWallIsAsStrong) {
+  Scene scene = ball();
+  SphereLight lamp;
+  lamp.centreMm = {0, 0, 300};
+  lamp.radiusMm = 4;
+  lamp.radiance = {1e4F, 1e4F, 1e4F};
+  scene.lighting.areas = {lamp};
+  const std::array<double, 3> open = exitanceOfBall(scene);
+  scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), grey()});
+  const std::array<double, 3> behind = exitanceOfBall(scene);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(behind[c] / open[c], through(c, 1, 1), 0.01) << c;
+}
+
+// The index is low, so that the shell mirrors none of the ball's own light.
+TEST_F(BoundaryThroughTest, TheSkyThroughAShellFollowsFresnelAndBeer) {
+  Scene scene = ball();
+  scene.lighting.ambient = {1, 1, 1};
+  const std::array<double, 3> open = exitanceOfBall(scene);
+  Mesh inner = sphere({0, 0, 0}, 59, 4);
+  for (Triangle& triangle : inner.triangles) std::swap(triangle[1], triangle[2]);
+  for (Vec3& normal : inner.normals) normal = {-normal[0], -normal[1], -normal[2]};
+  scene.objects.push_back({"shell", together(sphere({0, 0, 0}, 60, 4), inner), grey(1.02F)});
+  const std::array<double, 3> within = exitanceOfBall(scene);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(within[c] / open[c], through(c, 1, 1, 1.02), 0.01) << c;
+}
+
+TEST_F(BoundaryThroughTest, NothingGetsThroughWhatIsOpaque) {
+  Scene scene = ball();
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), grey()});
+  scene.objects.push_back({"screen", box({0, 0, 12}, {20, 20, 0.5F}, 8), milky()});
+  scene.objects.back().opaque = OpaqueMaterial{};
+  for (const double exitance : exitanceOfBall(scene)) EXPECT_LT(exitance, 1e-4);
+}
+
+}  // namespace
+}  // namespace opaline
