@@ -41,7 +41,7 @@ class TextStream : private std::streambuf, public std::istream {
 
 /// All faces of one material name.
 struct Group {
-  std::string name;
+  std::string name;                    ///< at first with all that follows it
   std::vector<std::uint32_t> corners;  ///< index into ObjReader::pairs
   std::vector<std::uint32_t> sizes;
 };
@@ -145,8 +145,7 @@ tinyobj::callback_t callbacks() {
     static_cast<ObjReader*>(reader)->face({indices, static_cast<std::size_t>(count)});
   };
   callback.usemtl_cb = [](void* reader, const char* name, int) {
-    std::string_view line(name);
-    static_cast<ObjReader*>(reader)->use(std::string(nextWord(line)));
+    static_cast<ObjReader*>(reader)->use(std::string(trimmed(name)));
   };
   callback.object_cb = [](void* reader, const char* name) {
     static_cast<ObjReader*>(reader)->part = name;
@@ -187,6 +186,18 @@ void smoothen(std::span<const ObjSmoothing> smoothing, ObjReader& reader) {
     reader.corners[corners[i]].normal =
         static_cast<std::int64_t>(reader.normals.size() + made.ofCorner[i]);
   reader.normals.insert(reader.normals.end(), made.normals.begin(), made.normals.end());
+}
+
+/// The name that the rest of a line of `usemtl` means. A name may have blanks in it, and a comment
+/// may follow.
+std::string materialNamed(const std::string& line, const MtlMaterials& materials) {
+  const auto isKnown = [&](const std::string& name) {
+    return findMedium(name) || materials.contains(name);
+  };
+  if (isKnown(line)) return line;
+  std::string_view rest = line;
+  std::string word(nextWord(rest));
+  return isKnown(word) || trimmed(rest).starts_with('#') ? word : line;
 }
 
 /// The name of the medium or material whose faces make one object with those of the group. All that
@@ -343,6 +354,7 @@ RawScene loadObj(const Input& input) {
     for (std::string& file : materialFilesOf(input, line)) files.push_back(std::move(file));
   RawScene scene;
   const MtlMaterials materials = readMtl(input, files, scene.unreadable);
+  for (Group& group : reader.groups) group.name = materialNamed(group.name, materials);
   // Those that are neither a medium nor in a material file all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {

@@ -128,6 +128,23 @@ TEST_F(Obj, MaterialsThatAreMediaMakeObjects) {
   EXPECT_EQ(scene.objects[1].mesh.triangles.size(), 8U);
 }
 
+// As Maya and 3ds Max name them.
+TEST_F(Obj, NamesOfMaterialsMayHaveBlanks) {
+  test::writeBytes(
+      folder / "a.mtl",
+      "newmtl red stone\nKd 1 0 0\nnewmtl Material #25\nKd 0 1 0\nnewmtl red\nKd 0 0 1\n");
+  const Scene scene = load("mtllib a.mtl\n" + cubeCorners +
+                           "usemtl red stone\nf 1 3 4 2\nusemtl  Material #25 \r\nf 5 6 8 7\n"
+                           "usemtl red # the floor\nf 1 2 6 5\nusemtl wax # its lid\nf 3 7 8 4\n"
+                           "usemtl red\nf 1 5 7 3\nusemtl red wine\nf 2 4 8 6\n");
+  std::map<std::string, std::size_t> triangles;
+  for (const Object& object : scene.objects) triangles[object.name] = object.mesh.triangles.size();
+  EXPECT_EQ(triangles, (std::map<std::string, std::size_t>{
+                           {"Material #25", 2}, {"red", 6}, {"red stone", 2}, {"wax", 2}}));
+  EXPECT_EQ(notShown(cubeCorners + "usemtl glaze # thick\n" + quads), "materials 1 glaze\n");
+  EXPECT_EQ(notShown(cubeCorners + "usemtl thick glaze\n" + quads), "materials 1 thick glaze\n");
+}
+
 TEST_F(Obj, UnusedVerticesAreCounted) {
   EXPECT_EQ(test::countOf(load(cubeCorners + "v 9 9 9\n" + quads).repairs, "unused vertices"), 1U);
 }
