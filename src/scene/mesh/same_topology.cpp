@@ -33,7 +33,7 @@ RawObject& onlyStillObject(RawScene& scene, const std::string& file, const std::
     throw Error(fmt::format("{}: {} needs a file of one object, but it has {}", file, use,
                             scene.objects.size()));
   }
-  if (scene.objects[0].rig) {
+  if (scene.objects[0].rig || !scene.clips.empty()) {
     throw Error(fmt::format("{}: {} needs a model without animation", file, use));
   }
   return scene.objects[0];

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "opaline/error.h"
+#include "opaline/sequence.h"
 #include "scene/gltf/builder.h"
 #include "scene/gltf/gltf_fixture.h"
 #include "scene/shapes.h"
@@ -70,6 +71,28 @@ class GltfChanges : public testing::Test {
   int times = 0;
   test::TemporaryFolder folder;
 };
+
+// A morph has a clip of its own, and a row of meshes none.
+TEST_F(GltfChanges, DoNotGoWithMeshesThatReplaceEachOther) {
+  b.animate("go", {GltfBuilder::sampler(times, b.vectors({0, 0, 0, 1, 0, 0}))},
+            {R"("node":1,"path":"translation")"});
+  const auto errorOf = [](const auto& act) {
+    try {
+      act();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  LoadOptions options;
+  options.morphTo = folder / "a.glb";
+  EXPECT_THAT(errorOf([&] { load(options); }),
+              HasSubstr("a morph to another mesh needs a model without animation"));
+  EXPECT_THAT(errorOf([&] { MeshSequence(folder / "%d.glb"); }), HasSubstr("no file"));
+  test::writeBytes(folder / "1.glb", b.file());
+  EXPECT_THAT(errorOf([&] { MeshSequence(folder / "%d.glb"); }),
+              HasSubstr("a sequence of meshes needs a model without animation"));
+}
 
 TEST_F(GltfChanges, LightsFollowTheirNodes) {
   const float half = std::sqrt(0.5F);
