@@ -219,7 +219,7 @@ class Sequence(Film):
 
     def test_beyond_the_last(self):
         self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:4", "-o", "f%d.png",
-                     says=("frame 4", "4 files", "m_10.ply"))
+                     says="frame 4 is beyond the last of the sequence's 4 files: frame 3 shows m_10.ply.")
         self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--time", 1, "-o", "a.png", says="m_10.ply")
         self.refused(1, "render", "no_%02d.ply", *self.OPTIONS, "-o", "a.png", says="no_")
 

@@ -14,9 +14,10 @@ namespace opaline::app {
 namespace {
 
 [[noreturn]] void refuse(const MeshSequence& sequence, const std::string& what) {
-  throw UsageError(fmt::format("{} is beyond the last of the sequence's {} files, {}", what,
-                               sequence.frameCount(),
-                               sequence.file(sequence.lastNumber()).string()));
+  throw UsageError(
+      fmt::format("{} is beyond the last of the sequence's {} files: frame {} shows {}", what,
+                  sequence.frameCount(), sequence.frameCount() - 1,
+                  sequence.file(sequence.lastNumber()).string()));
 }
 
 double frameAt(double seconds) {
