@@ -116,6 +116,14 @@ class Ssh(Films):
         self.assertGreater((self.folder / "a film.mp4").stat().st_size, 0)
         self.expect_whole("frames", 9)
 
+    @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg is not installed")
+    def test_the_reference_makes_films_too(self):
+        scene = ("reference", "--builtin", "teapot", "--size", "8x6", "--integral", "--tolerance", ".3", "--deform", "twist:0.5:1.5")
+        done = self.film("--frames", "0:2", "--ssh", "here there", scene=scene, environment=self.fake_ssh(""))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(self.pictures("frames")), 3)
+        self.assertIn(b'"integral"', self.pictures("frames")["frame_0001.png"], "its stamp")
+
     def test_when_nothing_helps_what_is_missing_is_counted(self):
         done = self.film("--frames", "0:3", "--ssh", "down", environment=self.fake_ssh("exit 255"))
         self.assertEqual(done.returncode, 1)
