@@ -337,7 +337,8 @@ class Mp4(Film):
 
     @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
     def test_no_background_is_black(self):
-        self.succeed("render", *MOVING, "--frames", "0:0", "-o", "film.mp4")
+        run = self.succeed("render", *MOVING, "--frames", "0:0", "-o", "film.mp4")
+        self.assertIn("wrote 1 frame to film.mp4", run.err)
         self.assertLess(max(self.decoded("film.mp4")[:3]), 6)
 
     def test_without_ffmpeg_nothing_is_begun(self):
@@ -352,6 +353,13 @@ class Mp4(Film):
         self.refused(1, "render", *MOVING, "--frames", "0:3", "-o", "film.mp4", env=env,
                      says=("film.mp4", "No space left on device"))
         self.assertEqual((self.listing(), self.bytes_of("film.mp4")), (["film.mp4", "tools"], b"old"))
+
+    def test_a_full_disk_is_the_reason_given(self):
+        """Where ffmpeg gives it before its last line, which ends in two dashes and has none."""
+        env = self.fake_ffmpeg("cat >/dev/null\necho 'Could not write header: No space left on device' >&2\n"
+                               "echo 'Error initializing output stream 0:0 -- ' >&2\nexit 1\n")
+        self.refused(1, "render", *MOVING, "--frames", "0:3", "-o", "film.mp4", env=env,
+                     says=("film.mp4", "No space left on device"))
 
     def test_an_ffmpeg_that_leaves_early_is_an_error(self):
         env = self.fake_ffmpeg("echo 'Unknown encoder' >&2\nexit 1\n")

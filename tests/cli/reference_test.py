@@ -285,7 +285,9 @@ class Films(Reference):
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_a_film(self):
-        self.film(*self.METHODS[1], "--frames", "0:1", "-o", "film.mp4")
+        run = self.succeed("reference", "cube.obj", "--diagonal-mm", DIAGONAL, "--size", "13x10", *self.MOVING,
+                           *self.METHODS[1], "--frames", "0:1", "-o", "film.mp4")
+        self.assertIn("this one of 13x10 has 14x10", run.err)
         self.assertEqual((self.folder / "film.mp4").read_bytes()[4:8], b"ftyp")
 
 

@@ -188,10 +188,13 @@ std::string ChildProcess::lastWords() const {
   const ssize_t count =
       pread(errors_, text.data(), text.size(), end - static_cast<off_t>(text.size()));
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-  const std::size_t last = text.find_last_not_of("\r\n ");
-  if (last == std::string::npos) return {};
-  text.resize(last + 1);
-  return text.substr(text.find_last_of("\r\n") + 1);
+  std::string line;
+  do {
+    text.resize(text.find_last_not_of("\r\n ") + 1);
+    line = text.substr(text.find_last_of("\r\n") + 1);
+    text.resize(text.size() - line.size());
+  } while (line.ends_with("--"));
+  return line;
 }
 
 void ChildProcess::closeInput() {

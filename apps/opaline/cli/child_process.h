@@ -44,7 +44,8 @@ class ChildProcess {
   /// May be called while another thread writes, whose write() then fails.
   void kill();
 
-  /// The last line of what it wrote to its standard error; call after finish().
+  /// The last line of what it wrote to its standard error that is more than the beginning of a
+  /// sentence, as ffmpeg has them before "--"; call after finish().
   std::string lastWords() const;
 
  private:

@@ -14,6 +14,7 @@
 #include "cli/paths.h"
 #include "cli/progress.h"
 #include "film/film_encoder.h"
+#include "film/frames_asked_for.h"
 #include "film/picture_row.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
@@ -160,7 +161,7 @@ void runFilm(const Arguments& arguments) {
         command.framesPerSecond.value_or(framesPerSecondOf(row).value_or(frames.perSecond));
     const fs::path file = encode(row, target, speed, tone, command.quiet, log);
     log(LogLevel::Note,
-        fmt::format("wrote {} frames to {}", frames.count(), nameText(file, target.path)));
+        fmt::format("wrote {} to {}", countOfFrames(frames.count()), nameText(file, target.path)));
     report["fps"] = speed;
     report["outputs"].push_back(file.string());
   }

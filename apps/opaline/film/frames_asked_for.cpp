@@ -71,6 +71,16 @@ void noteStandstill(const Scene& scene, int clip, const LogCallback& log) {
       "it move");
 }
 
+void noteFilmSize(const Target& output, const RenderOptions& options, const LogCallback& log) {
+  if (!isFilm(output.path)) return;
+  const auto note = noteOnFilmSize(options.width, options.height);
+  if (note) log(LogLevel::Note, *note);
+}
+
+std::string countOfFrames(std::size_t count) {
+  return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
+}
+
 void noteEmptyChunk(const Chunk& chunk, const LogCallback& log) {
   log(LogLevel::Note, fmt::format("chunk {} of {} has no frames", chunk.number, chunk.count));
 }

@@ -53,6 +53,12 @@ std::size_t framesToMake(const FilmOrder& order, const LogCallback& log);
 /// Notes that all frames are one picture where nothing moves.
 void noteStandstill(const Scene& scene, int clip, const LogCallback& log);
 
+/// Notes what becomes of a film of an odd size.
+void noteFilmSize(const Target& output, const RenderOptions& options, const LogCallback& log);
+
+/// "1 frame", "2 frames".
+std::string countOfFrames(std::size_t count);
+
 /// There may be more chunks than frames, so that one gets none.
 void noteEmptyChunk(const Chunk& chunk, const LogCallback& log);
 

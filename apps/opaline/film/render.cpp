@@ -102,10 +102,7 @@ RenderJob prepareRender(const RenderCommand& command, Target output, const LogCa
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  if (isFilm(output.path)) {
-    const auto size = noteOnFilmSize(options.width, options.height);
-    if (size) log(LogLevel::Note, *size);
-  }
+  noteFilmSize(output, options, log);
   return {{std::move(scene), options, time, tone, std::move(output), std::move(sequence)},
           std::move(settings),
           filesOf(source)};
@@ -179,8 +176,8 @@ Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) order.place = placeBySequence(job.sequence, order.frames, job.kept);
   const auto [made, report] = renderFilm(renderer, order);
-  log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.path.string(),
-                                  onDevice(report.device)));
+  log(LogLevel::Note, fmt::format("wrote {} to {}, {}", countOfFrames(made),
+                                  job.output.path.string(), onDevice(report.device)));
   return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
 }
 

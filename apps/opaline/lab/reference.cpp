@@ -68,6 +68,7 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
+  noteFilmSize(output, options, log);
   ReferenceJob job{{std::move(scene), options, time, tone, std::move(output), std::move(sequence)}};
   job.aimCamera(command.motion.frames());  // the same in every chunk
   return job;
@@ -214,7 +215,7 @@ class ReferenceFilm {
       throw;
     }
     output_.finish();
-    noteWritten(command_, fmt::format("{} frames to {}", made_, output_.file().string()),
+    noteWritten(command_, fmt::format("{} to {}", countOfFrames(made_), output_.file().string()),
                 secondsSince(job_.begin), worst_, log_);
   }
 
