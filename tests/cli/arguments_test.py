@@ -55,6 +55,11 @@ class Refusals(ProgramTest):
         for command in COMMANDS:
             self.refused(2, command, "--jsom", says="did you mean --json?")
 
+    def test_a_file_that_looks_like_an_option(self):
+        self.write("-cube.obj", CUBE_OBJ)
+        self.refused(2, "info", "-cube.obj", says="info has no option -cube.obj; the file is ./-cube.obj.")
+        self.succeed("info", "./-cube.obj")
+
     def test_what_is_nothing_alike_suggests_nothing(self):
         for command, typed in (("view", "--chunk"), ("render", "--resolution"), ("render", "-z")):
             run = self.refused(2, command, typed, "1", says=f"{command} has no option {typed}")

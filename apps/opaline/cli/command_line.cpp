@@ -293,6 +293,10 @@ void CommandLine::refuseLeftovers() const {
       const auto found = unavailable_.find(option);
       if (found != unavailable_.end())
         throw UsageError(fmt::format("{}: {}", option, found->second));
+      std::error_code unknown;
+      if (!positionalNames_.empty() && std::filesystem::exists(argument, unknown))
+        throw UsageError(
+            fmt::format("{} has no option {}; the file is ./{}", name_, argument, argument));
       throw UsageError(
           fmt::format("{} has no option {}{}", name_, option, suggestion(option, optionNames())));
     }
