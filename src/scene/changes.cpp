@@ -131,12 +131,17 @@ void takeAt(const Keys<Medium>& keys, double seconds, Medium& medium) {
 }
 
 void takeLightsAt(const Scene& scene, const SceneTime& time, Lighting& lighting) {
+  takeLightsAt(scene, scene.lighting, time, lighting);
+}
+
+void takeLightsAt(const Scene& scene, const Lighting& own, const SceneTime& time,
+                  Lighting& lighting) {
   const ClipChanges* const changes = changesOf(scene, time.clip);
   if (changes == nullptr) return;
   const double seconds = timeIn(scene, time);
-  takeAll(changes->directional, seconds, scene.lighting.directional, lighting.directional);
-  takeAll(changes->points, seconds, scene.lighting.points, lighting.points);
-  takeAll(changes->spots, seconds, scene.lighting.spots, lighting.spots);
+  takeAll(changes->directional, seconds, own.directional, lighting.directional);
+  takeAll(changes->points, seconds, own.points, lighting.points);
+  takeAll(changes->spots, seconds, own.spots, lighting.spots);
 }
 
 void takeCameraAt(const Scene& scene, const SceneTime& time, Camera& camera) {

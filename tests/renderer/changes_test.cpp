@@ -112,6 +112,24 @@ TEST_F(ChangesTest, Media) {
   EXPECT_NE(picture(scene_, 1).rgba, picture(scene_, 0).rgba);
 }
 
+// As when an edit is undone.
+TEST_F(ChangesTest, ALightThatIsAsItWasSetFollowsItsClipAgain) {
+  scene_.changes.resize(1);
+  scene_.changes[0].points = {{0, {0, 2}, {scene_.lighting.points[0], {{0, 0, 30}, {1, 1, 1}}}}};
+  const Image expected = picture(scene_, 1);
+  renderer_.setScene(scene_);
+  renderer_.setTime({1, 0});
+  Lighting other = scene_.lighting;
+  other.points.clear();
+  for (const Lighting& lighting : {other, scene_.lighting}) renderer_.setLighting(lighting);
+  EXPECT_EQ(renderer_.render(options()).images[0].rgba, expected.rgba);
+  renderer_.setLighting(other);
+  renderer_.setTime({0, 0});
+  renderer_.setLighting(scene_.lighting);
+  renderer_.setTime({1, 0});
+  EXPECT_EQ(renderer_.render(options()).images[0].rgba, expected.rgba);
+}
+
 TEST_F(ChangesTest, WhatIsEditedFollowsNoClipAnyMore) {
   scene_.changes.resize(1);
   scene_.changes[0].points = {{0, {0, 2}, {scene_.lighting.points[0], {{0, 0, 30}, {1, 1, 1}}}}};

@@ -27,15 +27,6 @@ void hideBelow(float heightMm, Lighting& lighting) {
   std::erase_if(lighting.spots, isBelow);
 }
 
-// Lights that were changed, or moved in the list, no longer follow clips.
-template <typename Light>
-void keepAlike(const std::vector<Light>& now, const std::vector<Light>& before,
-               std::vector<Keys<Light>>& all) {
-  std::erase_if(all, [&](const Keys<Light>& keys) {
-    return keys.index >= now.size() || !(now[keys.index] == before[keys.index]);
-  });
-}
-
 }  // namespace
 
 void EditedScene::set(gpu::Device& device, const Scene& scene) {
@@ -45,6 +36,8 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   motion_.reset();
   scene_.reset();  // freed before memory for the next is allocated
   scene_ = scene;
+  lightingAsSet_ = scene.lighting;
+  lightingAsSet_.environment.reset();
   try {
     origin_ = originFor(*scene_);
     for (Object& object : scene_->objects) seeFrom(origin_, object.mesh);
@@ -97,7 +90,7 @@ void EditedScene::followClip() {
 
 void EditedScene::addSuns(const Lighting& given, const Suns& suns, Lighting& all) const {
   all = given;
-  scene::takeLightsAt(*scene_, time_, all);
+  scene::takeLightsAt(*scene_, lightingAsSet_, time_, all);
   seeFrom(origin_, all);
   separate(suns, all);
   if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], all);
@@ -143,11 +136,6 @@ void EditedScene::setLighting(const Lighting& lighting) {
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
   if (suns) suns_ = *std::move(suns);
-  for (ClipChanges& changes : scene_->changes) {
-    keepAlike(lighting.directional, present.directional, changes.directional);
-    keepAlike(lighting.points, present.points, changes.points);
-    keepAlike(lighting.spots, present.spots, changes.spots);
-  }
   std::swap(lighting_, next_);
   std::swap(present, nextGiven_);
   nextGiven_.environment.reset();

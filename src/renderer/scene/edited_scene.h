@@ -92,6 +92,7 @@ class EditedScene {
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
+  Lighting lightingAsSet_;  // without the environment; clips move lights that are still the same
   Vec3 origin_{};
   Suns suns_;
   Lighting lighting_;
