@@ -235,6 +235,19 @@ class Panels(WindowTest):
         window.use(6, "type", "one")
         window.use(2, "key", "Return")
         window.wait_for(lambda: window.state()["message"] == "saved one.mp4", "no film of one frame")
+        window.settle()
+        window.choose("Save/size", "1024 x 1024")
+        window.click("Save/width")
+        window.use(2, "key", "ctrl+a")
+        window.use(4, "type", "33")
+        window.key("Return")
+        window.click("Save/film...")
+        window.wait_for(lambda: "File/name" in window.state()["controls"], "no file can be chosen")
+        window.use(6, "type", "odd")
+        window.use(2, "key", "Return")
+        window.wait_for(lambda: window.state()["message"].startswith("saved odd.mp4, 32x1024 pixels"), "no film of an odd width")
+        window.settle()
+        window.choose("Save/size", "as in the window")
         window.click("Save/the motion once")
 
     def typing(self):
@@ -277,6 +290,18 @@ class Panels(WindowTest):
                          "map: normal", "map: irradiance", "map: area", "surfels", "tree levels"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
+        # A map is not seen by the camera, which is not moved unseen.
+        window.choose("View/variable", "radiance")
+        window.move((5, 5))
+        before = window.picture()
+        window.choose("View/variable", "map: normal")
+        x, y = window.middle()
+        window.drag((x, y), (x + 90, y))
+        self.assertIn("does not see the map", window.state()["message"])
+        window.key("Escape")
+        window.choose("View/variable", "radiance")
+        window.move((5, 5))
+        self.assertLess(before.difference(window.picture()), .05)
         window.choose("View/variable", "normal")
         self.assert_saved_as_shown("normal")
         # An open list is closed by a key.

@@ -83,9 +83,15 @@ std::string Saver::savePicture(const Session& session, const Target& target, int
 }
 
 void Saver::startFilm(const Session& session, const Target& target, int width, int height) {
-  // Films need an even number of pixels each way.
+  const int evenWidth = std::max(2, width / 2 * 2);
+  const int evenHeight = std::max(2, height / 2 * 2);
+  filmRemark_.clear();
+  if (evenWidth != width || evenHeight != height) {
+    filmRemark_ =
+        fmt::format(", {}x{} pixels: films have an even width and height", evenWidth, evenHeight);
+  }
   FilmOrder order;
-  order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
+  order.options = sized(session.options, evenWidth, evenHeight);
   order.clip = session.time.clip;
   order.frames = filmFrames(session);
   order.output = target;
@@ -120,7 +126,7 @@ std::optional<std::string> Saver::step() {
   }
   if (step_.valid() || (filming() && !film_->isDone())) return std::nullopt;
   std::optional<std::string> done;
-  if (filming()) done = saved(film_->file(), filmTarget_);
+  if (filming()) done = saved(film_->file(), filmTarget_) + filmRemark_;
   film_.reset();
   return done;
 }

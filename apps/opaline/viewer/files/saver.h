@@ -47,6 +47,7 @@ class Saver {
   Renderer& renderer_;
   std::optional<FilmJob> film_;
   Target filmTarget_{""};
+  std::string filmRemark_;  // on its size
   const bool inBackground_;
   bool stopped_ = false;
   std::future<void> step_;  // last, so that it ends before the film that it makes

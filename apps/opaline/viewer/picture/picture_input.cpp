@@ -24,6 +24,12 @@ void showPicture(Session& session) {
   session.shown = Shown::Picture;
 }
 
+/// A map shows no camera, so moving it would do nothing that is seen.
+bool cameraIsSeen(Session& session) {
+  if (showsMap(session.aov)) session.refused = mapHasNoCamera;
+  return !showsMap(session.aov);
+}
+
 void expose(Session& session, float stops) {
   session.exposesByLight = false;
   session.tone.exposureStops = std::clamp(session.tone.exposureStops + stops, -8.0F, 8.0F);
@@ -44,8 +50,11 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
                                        const Area& area, Poke& poke) {
   const ImGuiIO& io = ImGui::GetIO();
   const glm::vec2 mouse(io.MousePos.x, io.MousePos.y);
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return Drag::Dolly;
-  if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) return Drag::Pan;
+  const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+  if (right || ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+    if (!cameraIsSeen(session)) return Drag::None;
+    return right ? Drag::Dolly : Drag::Pan;
+  }
   if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return Drag::None;
   if (session.divided && session.shown == Shown::Picture) {
     const float x = static_cast<float>(area.x) + session.divider * static_cast<float>(area.width);
@@ -58,10 +67,12 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
       return Drag::Light;
     }
   }
-  if ((session.poke || io.KeyCtrl) && poke.grab(session, projection.through(mouse))) {
+  if ((session.poke || io.KeyCtrl) && !showsMap(session.aov) &&
+      poke.grab(session, projection.through(mouse))) {
     showPicture(session);
     return Drag::Poke;
   }
+  if (!cameraIsSeen(session)) return Drag::None;
   return io.KeyShift ? Drag::Pan : Drag::Orbit;
 }
 
@@ -118,7 +129,7 @@ void PictureInput::useMouse(Session& session, const Area& area, Poke& poke) {
   } else if (over) {
     drag_ = begin(session, projection, area, poke);
   }
-  if (over && io.MouseWheel != 0) {
+  if (over && io.MouseWheel != 0 && cameraIsSeen(session)) {
     showPicture(session);
     dolly(session.scene.camera, std::exp(-0.12F * io.MouseWheel), session.diagonalMm);
     session.edits.camera = true;
@@ -134,12 +145,13 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
   if (press.repeated) return;
   switch (press.key) {
     case GLFW_KEY_F:
-      if (area.empty()) return;
+      if (area.empty() || !cameraIsSeen(session)) return;
       showPicture(session);
       frame(session.scene, session.time, session.positionsMm, area.aspect());
       session.edits.camera = true;
       return;
     case GLFW_KEY_T:
+      if (!playback.turntable && !cameraIsSeen(session)) return;
       playback.turntable = !playback.turntable;
       showPicture(session);
       return;

@@ -168,6 +168,10 @@ bool movesInTime(const Session& session);
 inline constexpr const char* nothingMoves =
     "Nothing here moves by itself: Motion adds a deformation, and an animated model brings a clip.";
 
+/// The message where the camera cannot be moved.
+inline constexpr const char* mapHasNoCamera =
+    "The camera does not see the map: another variable in View shows how it moves.";
+
 /// The frames of the session's film.
 FrameRange filmFrames(const Session& session);
 
