@@ -139,6 +139,8 @@ struct SceneDescription {
   std::vector<AreaLight> areas;
   Rgb ambient{};
   Camera camera;
+  bool lightsOfModel = false;    ///< the file has no lights, so that clips move those of the model
+  bool cameraOfModel = false;    ///< likewise
   std::optional<Ground> ground;  ///< its height is relative to `centreMm`
   std::vector<Deformer> deformers;
   SceneFileSettings settings;

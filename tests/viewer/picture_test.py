@@ -1,10 +1,37 @@
 """What the window shows is what `render` draws."""
 
+import base64
+import json
+import struct
 import unittest
 
 from driver import BACKGROUND, COARSE, CORNERS, Shot, WindowTest
 from images import read_png, write_png
 from program import CUBE_OBJ
+
+
+def moving_light_and_camera():
+    """A glTF file of a tetrahedron, whose only clip moves a point light and the camera, in metres."""
+    rows = ((0, 0, 0, .1, 0, 0, 0, .1, 0, 0, 0, .1), (0, 2), (-.2, .1, .3, .4, .1, .3), (0, 0, .4, 0, .1, .5))
+    faces = struct.pack("<12H", 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3)
+    data = b"".join(struct.pack(f"<{len(row)}f", *row) for row in rows) + faces
+    sizes = [4 * len(row) for row in rows] + [len(faces)]
+    views = [{"buffer": 0, "byteOffset": sum(sizes[:i]), "byteLength": size} for i, size in enumerate(sizes)]
+    kinds = ((5126, 4, "VEC3"), (5126, 2, "SCALAR"), (5126, 2, "VEC3"), (5126, 2, "VEC3"), (5123, 12, "SCALAR"))
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": .5}]}},
+        "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}, {"camera": 0}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": .6, "znear": .01}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 4}]}],
+        "animations": [{"samplers": [{"input": 1, "output": 2}, {"input": 1, "output": 3}],
+                        "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}},
+                                     {"sampler": 1, "target": {"node": 2, "path": "translation"}}]}],
+        "accessors": [{"bufferView": i, "componentType": kind, "count": count, "type": name}
+                      for i, (kind, count, name) in enumerate(kinds)],
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}]})
 
 
 class Picture(WindowTest):
@@ -84,6 +111,28 @@ class Picture(WindowTest):
         again = self.view("cube.toml", "--size", "760x700")
         self.same(again.picture().part(top=40), shown)
         again.close()
+
+    def test_a_saved_scene_whose_light_and_camera_move(self):
+        self.write("moving.gltf", moving_light_and_camera())
+        window = self.view("moving.gltf", "--medium", "wax", *CORNERS, "--time", .5, "--size", "760x400")
+        window.key("h")
+        window.key("s")
+        window.wait_for(lambda: window.state()["message"] == "saved moving.toml", "no scene was saved")
+        window.key("Escape")
+        window.move((5, 5))
+        window.settle()
+        shown = window.picture()
+        self.assertGreater(shown.colors(), 20)
+        self.assertLessEqual(shown.worst(self.rendered(window, "moving.toml")), 1)
+        # A light that was edited is as it was again, and so moves.
+        window.only("Light")
+        window.click("Light/point 1")
+        window.click("Light/delete")
+        window.key("ctrl+z")
+        window.move((5, 5))
+        window.settle()
+        self.assertLess(shown.part(top=100).difference(window.picture().part(top=100)), .2)
+        window.close()
 
     def test_an_edited_material_is_drawn_and_saved(self):
         """An opaque object with a texture: seen at once, undone, repeated, and drawn the same by `render`."""

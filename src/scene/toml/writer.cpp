@@ -371,8 +371,8 @@ std::filesystem::path writeScene(const Target& target, const SceneDescription& d
   scene::addObjects(description, text);
   scene::addMaterials(description, file, text);
   if (scene::needTables(models)) scene::addModels(models, file, text);
-  scene::addLighting(description, file, text);
-  scene::addCamera(description, text);
+  if (!description.lightsOfModel) scene::addLighting(description, file, text);
+  if (!description.cameraOfModel) scene::addCamera(description, text);
   scene::addGround(description, text);
   scene::addDeformers(description, text);
   scene::addSettings(description.settings, text);

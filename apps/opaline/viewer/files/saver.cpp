@@ -10,6 +10,7 @@
 #include "cli/picture_options.h"
 #include "film/film.h"
 #include "film/sequence_frames.h"
+#include "opaline/moment.h"
 #include "opaline/scene_file.h"
 #include "viewer/picture/variable_display.h"
 
@@ -19,6 +20,17 @@ namespace {
 
 std::string saved(const std::filesystem::path& file, const Target& wanted) {
   return fmt::format("saved {}", nameText(file, wanted.path));
+}
+
+// Whether clips move the model's lights, and these are as the model has them. In a scene file they
+// would stand still.
+bool leavesLightsToModel(const Session& session) {
+  const auto movesLights = [](const ClipChanges& changes) {
+    return !changes.directional.empty() || !changes.points.empty() || !changes.spots.empty();
+  };
+  const std::vector<ClipChanges>& clips = session.scene.changes;
+  return std::any_of(clips.begin(), clips.end(), movesLights) &&
+         !session.scene.lighting.environment && session.scene.lighting == session.lightsAsLoaded;
 }
 
 // Writes a scene file that `opaline render` draws as the same picture.
@@ -31,7 +43,10 @@ std::string saveScene(const Session& session, const Target& target, int width, i
     settings.picture.set(options::fieldOf<options::PictureSettings>("seconds"),
                          std::min(session.time.seconds, lastSecond(*session.sequence)));
   }
-  return saved(writeScene(target, describe(session.scene, session.source, settings)), target);
+  SceneDescription description = describe(session.scene, session.source, settings);
+  description.lightsOfModel = leavesLightsToModel(session);
+  description.cameraOfModel = movesCamera(session.scene, session.time.clip);
+  return saved(writeScene(target, description), target);
 }
 
 // What a saved picture shows where the window shows more, or something else.

@@ -18,6 +18,8 @@ bool showsScene(const Session& session) {
 void measure(const Scene& loaded, Session& session) {
   session.diagonalMm = diagonalMm(loaded);
   session.centreMm = middleOf(boundsOf(loaded));
+  session.lightsAsLoaded = loaded.lighting;
+  session.lightsAsLoaded.environment.reset();
 }
 
 Vec3 placeInFile(const Vec3& placeMm, const Session& session) {

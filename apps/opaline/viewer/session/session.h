@@ -80,6 +80,7 @@ struct Session {
   std::vector<DirectionalLight> suns;            ///< of the environment as it is shown
   float diagonalMm = 0;                          ///< as loaded
   Vec3 centreMm{};                               ///< as loaded: of the box around all objects
+  Lighting lightsAsLoaded;                       ///< without the environment
   std::optional<float> wantedDiagonalMm;         ///< another size, to be loaded
   std::optional<float> draggedDiagonalMm;        ///< another size, while its slider is dragged
   std::vector<std::string> notes;                ///< from loading
@@ -125,7 +126,7 @@ struct Session {
 /// a map.
 bool showsScene(const Session& session);
 
-/// Notes diagonal and centre of a scene that was loaded for the session.
+/// Notes diagonal, centre and lights of a scene that was loaded for the session.
 void measure(const Scene& loaded, Session& session);
 
 /// A place as scene files, the command line and the panels give it: relative to the middle of the
