@@ -21,16 +21,17 @@ layout(std430, set = 0, binding = 7) writeonly buffer SkyShares { float skyShare
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
 
-// The widest rays go first, then one from the middle of the lobe: where these agree, so do the others.
+// The widest rays go first, then, unless the lobe is narrow, one from its middle: where these agree, so do the others.
 float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
   uint sent = 0u;
   uint free = 0u;
   uint rays = raysOfSample(mirror.alpha);
   uint raysInAll = rays * samples;
   uint widest = max(raysInAll / 4u, 2u);
+  uint enough = rays == 1u ? widest : widest + 1u;
   for (uint k = 0u; k < raysInAll; ++k) {
     bool agreed = free == 0u || free == sent;
-    if (seeing == everySample && k == widest + 1u && agreed) break;
+    if (seeing == everySample && k == enough && agreed) break;
     uint i = k < widest ? raysInAll - 1u - k : k - widest;
     if ((seeing >> i / rays & 1u) == 0u) continue;
     uint ray = reflectedRay(i, raysInAll, place, mirror);

@@ -1,7 +1,8 @@
 // How much of what 2×2 pixels mirror is sky, where one smooth surface fills them. Where it fills a block of 4×4
 // pixels and rays from the block's corners agree, they hold for all of it. Four blocks share a corner, and each
 // block has a ray of each kind at its own. Otherwise its quarters are tested from opposite corners, by the widest
-// rays of the lobe, and where these meet something by its middle. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows
+// rays of the lobe, and where these meet something by its middle. That tells of all four pixels even where one surface
+// fills only the two that are asked. Where 2×2 pixels filled by it disagree and the lobe is wide, so that its shadows
 // are soft, they share twice the rays of one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -36,6 +37,7 @@ const uint smallest = widthOfGroup * widthOfGroup;
 const uint levels = 2u;  // 4×4 and 2×2 pixels
 
 shared bool broken[levels][smallest];  // no single surface fills the block
+shared bool spanned[smallest];  // single surfaces fill two opposite pixels of the block
 shared uint asked[levels + 1u][smallest];  // blocks of each level, and last those that disagree to the end
 shared uint askedCount[levels + 1u];
 // For each block on a list, a bit for each kind of answer; later how many rays went, and above 16 bits how many
@@ -55,11 +57,9 @@ ivec2 firstPixel() {
   return 2 * ivec2(gl_WorkGroupID.xy * widthOfGroup) + ivec2(0, first);
 }
 
-bool isFilled(ivec2 corner) {
-  if (any(greaterThanEqual(corner + 1, textureSize(seenWords, 0).xy))) return false;
-  for (int i = 0; i < 4; ++i)
-    if (samplesOf(seenWord(corner + ivec2(i & 1, i >> 1), 0u)) != everySample) return false;
-  return true;
+bool isFilled(ivec2 pixel) {
+  if (any(greaterThanEqual(pixel, textureSize(seenWords, 0).xy))) return false;
+  return samplesOf(seenWord(pixel, 0u)) == everySample;
 }
 
 MeshPlace placeSeenAt(ivec2 pixel) {
@@ -167,7 +167,9 @@ void findBroken() {
   barrier();
   for (uint k = i; k < smallest; k += gl_WorkGroupSize.x) {
     shares[k] = unknownShare;
-    if (isFilled(pixelOfBlock(k))) continue;
+    ivec2 pixel = pixelOfBlock(k);
+    spanned[k] = isFilled(pixel) && isFilled(pixel + 1);
+    if (spanned[k] && isFilled(pixel + ivec2(1, 0)) && isFilled(pixel + ivec2(0, 1))) continue;
     for (uint level = 0u; level < levels; ++level) broken[level][k >> 2u * (levels - 1u - level)] = true;
   }
 }
@@ -178,7 +180,7 @@ void putOnList(uint block, uint list) {
 
 void askQuarters(uint block, uint levelOfQuarters) {
   for (uint quarter = 4u * block; quarter < 4u * block + 4u; ++quarter)
-    if (!broken[levelOfQuarters][quarter]) putOnList(quarter, levelOfQuarters);
+    if (spanned[quarter]) putOnList(quarter, levelOfQuarters);
 }
 
 void answerFromCorners(uint count) {
@@ -224,7 +226,7 @@ void ask(uint level) {
       for (uint small = block << shift; small < block + 1u << shift; ++small) shares[small] = allFree ? 1.0 : 0.0;
     } else if (level < levels - 1u) {
       askQuarters(block, level + 1u);
-    } else if (disagrees) {
+    } else if (disagrees && !broken[level][block]) {
       putOnList(block, levels);
     }
   }
