@@ -88,6 +88,23 @@ TEST_F(BoundaryThroughTest, TheSkyThroughAShellFollowsFresnelAndBeer) {
     EXPECT_NEAR(within[c] / open[c], through(c, 1, 1, 1.02), 0.01) << c;
 }
 
+// Most of the light behind the wall is not scattered in it, so paint must take its share of that.
+TEST_F(BoundaryThroughTest, PaintTakesItsShare) {
+  const Medium clear{"clear", {0.2F, 0.2F, 0.2F}, {0.01F, 0.01F, 0.01F}, 1.3F};
+  const auto behind = [&](float shade) {
+    Scene scene = ball();
+    scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+    scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), clear});
+    if (shade < 1) scene.objects.back().paint = Paint{"paint", {shade, shade, shade}};
+    return exitanceOfBall(scene)[0];
+  };
+  const double bare = behind(1);
+  const double dim = behind(0.5F);
+  EXPECT_LT(dim, 0.8 * bare);
+  EXPECT_GT(dim, 0.3 * bare);
+  EXPECT_LT(behind(0), 0.02 * bare);
+}
+
 TEST_F(BoundaryThroughTest, NothingGetsThroughWhatIsOpaque) {
   Scene scene = ball();
   scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};

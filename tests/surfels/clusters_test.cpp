@@ -334,11 +334,25 @@ TEST(Clusters, OfABackAreThoseOfItsFront) {
     ASSERT_GT(backs, 20U);
     for (std::uint32_t i = made.firstOfObject[1]; i < made.firstOfObject[1] + backs; ++i) {
       const ClusterDivision::Cluster& front = made.clusters[i];
-      EXPECT_TRUE(made.clusters[i + backs] ==
-                  (ClusterDivision::Cluster{front.firstSurfel, front.endSurfel, true}));
+      EXPECT_TRUE(
+          made.clusters[i + backs] ==
+          (ClusterDivision::Cluster{front.firstSurfel, front.endSurfel, true, front.thicknessMm}));
       EXPECT_FALSE(front.isBack);
     }
   }
+}
+
+TEST(Clusters, KnowHowThickTheBodyIs) {
+  const Body body = box(80, 8, 80);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 20'000);
+  const ClusterDivision made = clustersOf(body.surface(), surfels, unlimited);
+  std::size_t across = 0;
+  for (const ClusterDivision::Cluster& cluster : made.clusters) {
+    const bool isThin = std::abs(cluster.thicknessMm - 8) < 1e-3;
+    EXPECT_TRUE(isThin || std::abs(cluster.thicknessMm - 80) < 1e-3) << cluster.thicknessMm;
+    across += isThin ? 1 : 0;
+  }
+  EXPECT_GT(across, made.clusters.size() / 2);
 }
 
 }  // namespace

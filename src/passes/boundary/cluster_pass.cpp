@@ -250,8 +250,10 @@ ClusterPass::ClusterPass(gpu::Device& device)
                 {device, "light that enters", {.withAreaLights = 1, .withNormals = 1}}}},
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
-      survey_{{device, "rays of clusters", {.withThinParts = 0}},
-              {device, "rays of clusters", {.withThinParts = 1}}} {}
+      survey_{{{device, "rays of clusters", {.withThinParts = 0, .withPaint = 0}},
+               {device, "rays of clusters", {.withThinParts = 0, .withPaint = 1}}},
+              {{device, "rays of clusters", {.withThinParts = 1, .withPaint = 0}},
+               {device, "rays of clusters", {.withThinParts = 1, .withPaint = 1}}}} {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
@@ -422,7 +424,8 @@ void ClusterPass::enclose(gpu::CommandList& commands, const ShapeInputs& inputs,
 
 void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(survey_.of(inputs.looksThrough && inputs.tables.haveThinParts),
+  const bool looksThrough = inputs.looksThrough && inputs.tables.haveThinParts;
+  commands.bind(survey_.of(looksThrough, looksThrough && inputs.tables.paint.any),
                 {.objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .pieceCorners = inputs.rays.corners,
@@ -433,7 +436,8 @@ void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                  .meetings = clusters.meetings,
                  .skyRadiance = {inputs.sky.radiance, linear_},
                  .skyShares = clusters.skyShares,
-                 .brightSky = inputs.sky.bright},
+                 .brightSky = inputs.sky.bright,
+                 .clusterPaints = inputs.tables.paint.clusters},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = inputs.looksAround ? clusters.raysOutwards : 0,

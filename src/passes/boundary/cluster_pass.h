@@ -80,7 +80,7 @@ class ClusterPass {
   VariantsOfTwo<shaders::BoundaryEntries> entries_;  ///< indexed by area lights and normal textures
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
-  Variants<shaders::BoundarySurvey> survey_;  ///< by thin parts
+  VariantsOfTwo<shaders::BoundarySurvey> survey_;  ///< by thin parts, then paint
 };
 
 }  // namespace opaline::passes

@@ -11,7 +11,6 @@
 #include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
-#include "lib/paint.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
@@ -98,11 +97,6 @@ void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float
     put(body, cluster, origin, direction, lengthMm, lengths[p], shares[p] / all * collides);
 }
 
-// For a beam with that cosine inside.
-vec3 throughPaint(uint cluster, Body body, float cosine) {
-  return throughLayer(clusterPaints[cluster].entering.rgb, body.medium.sigma.w, cosine);
-}
-
 // A lining sends light on evenly. This is taken as light along its normal, on a way as much longer as
 // its mean cosine asks for.
 const float cosineOfEven = 2.0 / 3.0;
@@ -128,7 +122,7 @@ void reflections(Body body, Cluster cluster, vec3 origin, vec3 direction, RayHit
     float cosine = abs(dot(direction, normal));
     left *= exp(-extinction * hit.distance) * reflectedBy(hit.piece, body, isEven, cosine);
     if (withPaint != 0u && !isLining(hit.piece))
-      left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
+      left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body.medium, 0.5 * cosine);
     if (largestOf(left) < leastShare) return;
     origin += hit.distance * direction;
     isEven = isEven || isLining(hit.piece);
@@ -208,8 +202,9 @@ vec3 enteringThroughBodies(Cluster cluster, Body body, MediumData medium, vec3 v
   const float leastHidden = 0.02;
   vec3 place = cluster.start.xyz;
   Unhidden all = unhiddenAt(place, cluster.facet.xyz, medium);
-  float hidden = 1.0 - largestOf(visible) / max(largestOf(all.entering), 1e-30);
-  if (hidden < leastHidden) return vec3(0.0);
+  float most = largestOf(all.entering);
+  float hidden = 1.0 - largestOf(visible) / max(most, 1e-30);
+  if (most <= 0.0 || hidden < leastHidden) return vec3(0.0);
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   RayHit hit = nearestHit(place, all.direction, body.least, all.furthest, scene);
   return hidden * all.entering * throughBodies(place, all.direction, hit, body.least, all.furthest, scene);
@@ -263,7 +258,7 @@ void main() {
     }
   }
   if (mirrors != 0u) mirrored[beam] = goesOn;
-  if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
+  if (withPaint != 0u) power *= throughPaint(i, body.medium, cosineInside);
   bool isFollowed = cluster.second.rgb != vec3(0.0);
   if (isFollowed) atomicMax(strongest[0], floatBitsToUint(largestOf(power)));
   strengths[beam] = vec4(power, packPointCounts(pointCount, isFollowed ? secondPointsOf(pointCount, everywhere) : 0u));

@@ -7,6 +7,7 @@
 #define BINDING_PIECE_CORNERS 2
 #define BINDING_RAYS 3
 #define BINDING_SKY_RADIANCE 8
+#define BINDING_CLUSTER_PAINTS 11
 #include "lib/boundary.glsl"
 #include "lib/cluster_weight.glsl"
 #include "lib/escape.glsl"
@@ -28,6 +29,7 @@ layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares
 layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
 
 layout(constant_id = 0) const uint withThinParts = 0u;
+layout(constant_id = 1) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -199,8 +201,8 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
     if (hit.piece == noPiece) {
       addFree(vec3(1.0), ray, sum);
     } else {
-      uint round = k / lanes;
-      if (withThinParts != 0u && isThinAt(hit)) thin[round / 32u] |= 1u << round % 32u;
+      uint turn = k / lanes;
+      if (withThinParts != 0u && isThinAt(hit)) thin[turn / 32u] |= 1u << turn % 32u;
       sum.nearness += 1.0 / max(hit.distance, least);
       sum.meets += 1.0;
       if (hit.distance < closeInEdges * edgeOf(cluster)) sum.closeEven += ray.entering;

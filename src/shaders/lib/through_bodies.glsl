@@ -1,7 +1,9 @@
 // Light that goes through bodies in its way without being scattered. Needs, before it, lib/boundary.glsl,
-// lib/fresnel.glsl, lib/rays.glsl, piecesPerSurfel, and the buffers ranges, clusters and clusterOfSurfel.
+// lib/fresnel.glsl, lib/rays.glsl, BINDING_CLUSTER_PAINTS, withPaint, piecesPerSurfel, and the buffers ranges, clusters
+// and clusterOfSurfel.
 #ifndef OPALINE_LIB_THROUGH_BODIES
 #define OPALINE_LIB_THROUGH_BODIES
+#include "lib/paint.glsl"
 
 // Two for each wall, and some that are met twice.
 const uint mostSurfaces = 8u;
@@ -14,6 +16,11 @@ bool isThinAt(RayHit hit) {
          range.thickness * leastOf(insideOf(objects[range.object]).collision.rgb) < -log(leastThrough);
 }
 
+// What a cluster's paint lets through, for a beam with that cosine inside.
+vec3 throughPaint(uint cluster, BoundaryMedium medium, float cosine) {
+  return throughLayer(clusterPaints[cluster].entering.rgb, medium.sigma.w, cosine);
+}
+
 // Light on its way through bodies.
 struct Crossing {
   vec3 through;  // what is left
@@ -23,16 +30,19 @@ struct Crossing {
   float reach;   // where nothing is left of it
 };
 
-// Goes into an object, or out of it, where the surface has that cosine.
-void cross(uint object, float distance, float cosine, vec3 place, float furthest, inout Crossing its) {
+// Goes into a cluster's object, or out of it, where the surface has that cosine.
+void cross(uint cluster, float distance, float cosine, vec3 place, float furthest, inout Crossing its) {
+  uint object = ranges[cluster].object;
+  BoundaryMedium medium = insideOf(objects[object]);
   float eta = mediumAt(objects[object], place).boundary.x;
-  vec3 collision = insideOf(objects[object]).collision.rgb;
-  float longer = cosine * inversesqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 1e-3));
+  float inside = sqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 1e-3));
+  float longer = cosine / inside;
   bool enters = its.inside == everyObject;
   its.through *= 1.0 - fresnelReflectance(eta, cosine);
-  if (!enters) its.through *= exp(-0.5 * (its.longer + longer) * (distance - its.from) * collision);
+  if (withPaint != 0u) its.through *= throughPaint(cluster, medium, inside);
+  if (!enters) its.through *= exp(-0.5 * (its.longer + longer) * (distance - its.from) * medium.collision.rgb);
   float left = max(log(largestOf(its.through) / leastThrough), 0.0);
-  its.reach = enters ? min(furthest, distance + left / (leastOf(collision) * max(longer, 0.1))) : furthest;
+  its.reach = enters ? min(furthest, distance + left / (leastOf(medium.collision.rgb) * max(longer, 0.1))) : furthest;
   its.inside = enters ? object : everyObject;
   its.from = distance;
   its.longer = longer;
@@ -53,7 +63,7 @@ vec3 throughBodies(vec3 origin, vec3 direction, RayHit hit, float least, float f
     if (blocks || largestOf(its.through) < leastThrough) return vec3(0.0);
     // Else it is the neighbour of a piece whose edge the ray has passed.
     if (isOutside == outwards < 0.0)
-      cross(object, hit.distance, min(abs(outwards), 1.0), origin + hit.distance * direction, furthest, its);
+      cross(cluster, hit.distance, min(abs(outwards), 1.0), origin + hit.distance * direction, furthest, its);
     hit = nearestHit(origin, direction, hit.distance + least, its.reach, scene);
   }
   return hit.piece == noPiece && its.inside == everyObject ? its.through : vec3(0.0);
