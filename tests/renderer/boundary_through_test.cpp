@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "bssrdf/fresnel.h"
@@ -88,6 +90,17 @@ TEST_F(BoundaryThroughTest, TheSkyThroughAShellFollowsFresnelAndBeer) {
     EXPECT_NEAR(within[c] / open[c], through(c, 1, 1, 1.02), 0.01) << c;
 }
 
+// One pixel of that sRGB value.
+Texture plainTexture(float value) {
+  const auto code = static_cast<std::uint16_t>(std::lround(65535 * value));
+  TexturePixels pixels;
+  pixels.width = pixels.height = 1;
+  pixels.rgba = {code, code, code, 65535};
+  Texture texture;
+  texture.pixels = std::make_shared<const TexturePixels>(pixels);
+  return texture;
+}
+
 // Most of the light behind the wall is not scattered in it, so paint must take its share of that.
 TEST_F(BoundaryThroughTest, PaintTakesItsShare) {
   const Medium clear{"clear", {0.2F, 0.2F, 0.2F}, {0.01F, 0.01F, 0.01F}, 1.3F};
@@ -95,7 +108,9 @@ TEST_F(BoundaryThroughTest, PaintTakesItsShare) {
     Scene scene = ball();
     scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
     scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), clear});
-    if (shade < 1) scene.objects.back().paint = Paint{"paint", {shade, shade, shade}};
+    Object& wall = scene.objects.back();
+    wall.mesh.textureCoordinates[0].assign(wall.mesh.positionsMm.size(), {0.5F, 0.5F});
+    wall.paint = Paint{"paint", {0.5F, 0.5F, 0.5F}, plainTexture(shade)};
     return exitanceOfBall(scene)[0];
   };
   const double bare = behind(1);
