@@ -31,7 +31,7 @@ struct Crossing {
 };
 
 // Goes into a cluster's object, or out of it, where the surface has that cosine.
-void cross(uint cluster, float distance, float cosine, vec3 place, float furthest, inout Crossing its) {
+void goThrough(uint cluster, float distance, float cosine, vec3 place, float furthest, inout Crossing its) {
   uint object = ranges[cluster].object;
   BoundaryMedium medium = insideOf(objects[object]);
   float eta = mediumAt(objects[object], place).boundary.x;
@@ -63,7 +63,7 @@ vec3 throughBodies(vec3 origin, vec3 direction, RayHit hit, float least, float f
     if (blocks || largestOf(its.through) < leastThrough) return vec3(0.0);
     // Else it is the neighbour of a piece whose edge the ray has passed.
     if (isOutside == outwards < 0.0)
-      cross(cluster, hit.distance, min(abs(outwards), 1.0), origin + hit.distance * direction, furthest, its);
+      goThrough(cluster, hit.distance, min(abs(outwards), 1.0), origin + hit.distance * direction, furthest, its);
     hit = nearestHit(origin, direction, hit.distance + least, its.reach, scene);
   }
   return hit.piece == noPiece && its.inside == everyObject ? its.through : vec3(0.0);
