@@ -24,4 +24,15 @@ struct VariantsOfTwo {
   }
 };
 
+/// For three.
+template <typename Shader>
+struct VariantsOfThree {
+  VariantsOfTwo<Shader> without;
+  VariantsOfTwo<Shader> with;
+
+  const gpu::Compute<Shader>& of(bool hasFirst, bool hasSecond, bool hasThird) const {
+    return (hasFirst ? with : without).of(hasSecond, hasThird);
+  }
+};
+
 }  // namespace opaline::passes

@@ -180,8 +180,8 @@ void BeamPass::recordAgain(gpu::CommandList& commands, const Inputs& inputs, boo
 
 void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                      Clusters& clusters, Beams& beams) const {
-  const auto& ofPaint = inputs.tables.paint.any ? trace_.with : trace_.without;
-  commands.bind(ofPaint.of(clusters.haveLinings, beam.entersAgain && inputs.tables.haveThinParts),
+  const bool thinParts = beam.entersAgain && inputs.tables.haveThinParts;
+  commands.bind(trace_.of(inputs.tables.paint.any, clusters.haveLinings, thinParts),
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,

@@ -100,15 +100,11 @@ class BeamPass {
                   const Spreading& of) const;
   void fitNodes(gpu::CommandList& commands, const Trees& trees, const Spreading& of) const;
 
-  /// Variants without code for paint, or for linings, if the scene has none.
+  /// Variants without code for paint, linings or thin parts, if the scene has none.
   static VariantsOfTwo<shaders::BoundaryBeams> makeTrace(gpu::Device& device, bool withPaint);
 
-  /// By paint, then linings and thin parts.
-  struct {
-    VariantsOfTwo<shaders::BoundaryBeams> without;
-    VariantsOfTwo<shaders::BoundaryBeams> with;
-  } trace_;
-  std::uint32_t sharers_;  ///< invocations that share the paths of a beam
+  VariantsOfThree<shaders::BoundaryBeams> trace_;  ///< indexed by paint, linings, thin parts
+  std::uint32_t sharers_;                          ///< invocations that share the paths of a beam
   Variants<shaders::BoundarySecondCollisions> followOn_;  ///< indexed by linings
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;

@@ -132,8 +132,9 @@ std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made,
                                            std::uint32_t surfels) {
   std::vector<std::uint32_t> cluster(surfels);
   for (std::uint32_t i = 0; i < made.count(); ++i) {
-    const auto [first, end, isBack, thicknessMm] = made.clusters[i];
-    if (!isBack) std::fill(cluster.begin() + first, cluster.begin() + end, i);
+    const surfels::ClusterDivision::Cluster& its = made.clusters[i];
+    if (!its.isBack)
+      std::fill(cluster.begin() + its.firstSurfel, cluster.begin() + its.endSurfel, i);
   }
   return cluster;
 }

@@ -98,12 +98,6 @@ bool anyInside(const SceneResources& resources, const std::vector<shared::Medium
                      [&](const Medium& medium) { return holds(insideOf(medium)); });
 }
 
-// Whether more than a little gets through where bodies are that thin.
-bool letsThrough(const shared::BoundaryMedium& inside, float thicknessMm) {
-  const float least = std::min({inside.collision.r, inside.collision.g, inside.collision.b});
-  return std::exp(-least * thicknessMm) > shared::leastThrough;
-}
-
 bool followsLight(const shared::BoundaryMedium& inside) {
   const shared::vec4& albedo = inside.albedo;
   return std::min({albedo.r, albedo.g, albedo.b}) < shared::albedoNotFollowed;
@@ -287,7 +281,9 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.media = gpu::makeBuffer(device, "media", onHost.media, storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.haveThinParts = anyInside(resources, builder.media(), [&](const auto& inside) {
-    return letsThrough(inside, resources.clusters.thinnestMm);
+    const shared::vec4& collision = inside.collision;
+    return shared::letsThrough(resources.clusters.thinnestMm,
+                               std::min({collision.r, collision.g, collision.b}));
   });
   tables.followsLight = anyInside(resources, builder.media(), followsLight);
   tables.entersAtSurface = anyInside(resources, builder.media(), entersAtSurface);

@@ -54,7 +54,6 @@ const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 const float thinner = 0.5;
 
 #include "lib/beam_body.glsl"
-
 #include "lib/through_bodies.glsl"
 
 uint light;
@@ -156,7 +155,7 @@ float meanCosineInside(Body body, AreaView view, vec3 normal) {
     float cosine = dot(place.offset, normal) * inversesqrt(max(dot(place.offset, place.offset), 1e-30));
     if (cosine <= 0.0) continue;
     float weight = place.weight * cosine * (1.0 - fresnelReflectance(body.eta, min(cosine, 1.0)));
-    sum += weight * sqrt(1.0 - (1.0 - cosine * cosine) / (body.eta * body.eta));
+    sum += weight * cosineInside(body.eta, cosine);
     all += weight;
   }
   return all > 0.0 ? sum / all : 0.0;

@@ -85,10 +85,6 @@ PieceFrame frameOf(uint piece, float side) {
                     unitOr(b - a, vec3(0.0)));
 }
 
-float cosineInside(float eta, float cosine) {
-  return sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
-}
-
 const float clustersTogether = 8.0;
 
 const float cosineOfSlant = 0.4;

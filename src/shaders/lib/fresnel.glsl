@@ -2,6 +2,11 @@
 #ifndef OPALINE_SHADERS_LIB_FRESNEL_GLSL
 #define OPALINE_SHADERS_LIB_FRESNEL_GLSL
 
+// The cosine inside of light with that cosine outside, eta ≥ 1. Snell's law.
+float cosineInside(float eta, float cosTheta) {
+  return sqrt(1.0f - (1.0f - cosTheta * cosTheta) / (eta * eta));
+}
+
 // Exact unpolarised reflectance of a smooth dielectric, light from outside. Fresnel 1823.
 // eta ≠ 1, cosTheta in [0,1] outside.
 float fresnelReflectance(float eta, float cosTheta) {

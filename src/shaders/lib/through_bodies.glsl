@@ -13,7 +13,7 @@ bool isThinAt(RayHit hit) {
   if (hit.piece == noPiece) return false;
   ClusterRange range = ranges[clusterOfSurfel[hit.piece / piecesPerSurfel]];
   return range.kind == bodyWithInside &&
-         range.thickness * leastOf(insideOf(objects[range.object]).collision.rgb) < -log(leastThrough);
+         letsThrough(range.thickness, leastOf(insideOf(objects[range.object]).collision.rgb));
 }
 
 // What a cluster's paint lets through, for a beam with that cosine inside.
@@ -35,7 +35,7 @@ void goThrough(uint cluster, float distance, float cosine, vec3 place, float fur
   uint object = ranges[cluster].object;
   BoundaryMedium medium = insideOf(objects[object]);
   float eta = mediumAt(objects[object], place).boundary.x;
-  float inside = sqrt(max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 1e-3));
+  float inside = cosineInside(eta, cosine);
   float longer = cosine / inside;
   bool enters = its.inside == everyObject;
   its.through *= 1.0 - fresnelReflectance(eta, cosine);

@@ -3,12 +3,14 @@
 #define OPALINE_SHARED_BOUNDARY_H
 
 #ifdef __cplusplus
+#include <cmath>
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
 using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
 using glm::uvec4;
 using glm::vec4;
+using std::exp;
 #define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
 #define OPALINE_BOUNDARY_NUMBER constexpr float
 #define OPALINE_BOUNDARY_INLINE inline
@@ -40,6 +42,12 @@ OPALINE_BOUNDARY_CONSTANT lining = 3u;
 
 /// Light that goes through bodies unscattered is not followed further when less than this is left.
 OPALINE_BOUNDARY_NUMBER leastThrough = 0.02f;
+
+/// Whether more is left where a body is that thick, mm, by its least extinction of any channel,
+/// 1/mm.
+OPALINE_BOUNDARY_INLINE bool letsThrough(float thickness, float extinction) {
+  return exp(-extinction * thickness) > leastThrough;
+}
 
 /// Whether clusters of that kind bound the diffusion.
 OPALINE_BOUNDARY_INLINE bool boundsDiffusion(uint kind) {

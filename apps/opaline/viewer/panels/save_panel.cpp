@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "film/frames_asked_for.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -81,9 +82,8 @@ void drawFilm(Session& session) {
   }
   if (changed) fitPlayback(session);
   const FrameRange frames = filmFrames(session);
-  const std::size_t count = frames.count();
-  ImGui::TextDisabled("film: %zu frame%s, %.2f s", count, count == 1 ? "" : "s",
-                      static_cast<double>(count) / frames.perSecond);
+  ImGui::TextDisabled("film: %s, %.2f s", countOfFrames(frames.count()).c_str(),
+                      static_cast<double>(frames.count()) / frames.perSecond);
 }
 
 }  // namespace
