@@ -100,5 +100,33 @@ TEST_F(BoundaryOverlapTest, PositionsMayMovePartsApart) {
   EXPECT_EQ(renderer.render(optionsOfBalls(), aovs).images[0].rgba, before[0].rgba);
 }
 
+// Half-spaces are summed over all surfaces, boundary transport over those that bound the body. A
+// renderer that does one must not keep the other's surfels.
+TEST_F(BoundaryOverlapTest, EachTransportHasItsOwnSurfaces) {
+  Scene scene = litFromBehind(ballsApart(0));
+  scene.lighting.ambient = {.3F, .3F, .3F};
+  RenderOptions boundary = optionsOfBalls();
+  boundary.bounces = 0;
+  boundary.maxSurfels = 8192;
+  RenderOptions dipole = boundary;
+  dipole.transport = Transport::Dipole;
+  RenderOptions occluded = dipole;
+  occluded.ambientOcclusion = true;  // makes clusters too
+  const std::vector<RenderOptions> all{dipole, occluded, boundary};
+  std::vector<Image> alone;
+  for (const RenderOptions& options : all)
+    alone.push_back(renderBoundary(scene, options, {Aov::Exitance}).images[0]);
+  Renderer& renderer = *sharedRenderer().renderer;
+  for (const std::size_t i : {0U, 2U, 1U, 0U, 1U, 2U, 0U})
+    EXPECT_EQ(renderer.render(all[i], {Aov::Exitance}).images[0].rgba, alone[i].rgba) << i;
+  View first(renderer, boundary);
+  View second(renderer, dipole);
+  for (int i = 0; i < 2; ++i) {
+    const FrameOrder order{.aovs = {Aov::Exitance}, .reuseLight = true};
+    EXPECT_EQ(first.render(order).images[0].rgba, alone[2].rgba) << i;
+    EXPECT_EQ(second.render(order).images[0].rgba, alone[0].rgba) << i;
+  }
+}
+
 }  // namespace
 }  // namespace opaline

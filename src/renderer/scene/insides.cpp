@@ -96,7 +96,7 @@ Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const L
 }
 
 Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
-                  bool partsMove, const LogCallback& log) {
+                  bool keepsOverlaps, const LogCallback& log) {
   std::vector<surfels::Substance> substances;
   substances.reserve(merged.triangles.size());
   for (std::size_t t = 0; t < merged.triangles.size(); ++t)
@@ -109,7 +109,7 @@ Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Ins
                            !clipsBend(scene, merged.objectOfTriangle[t]));
   Within within{{scene::bodiesOf(merged), substances}, {scene::bodiesOf(merged), boundsMedium}};
   within.overlapAtRest = within.overlaps.any();
-  if (partsMove) within.overlaps = {};
+  if (keepsOverlaps) within.overlaps = {};
   std::vector<std::string_view> sheets;
   for (const std::uint32_t body : within.linings.sheetsInside())
     sheets.emplace_back(scene.objects[merged.firstObjectOfBody[body]].name);

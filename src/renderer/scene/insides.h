@@ -23,13 +23,13 @@ Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const L
 /// What lies within translucent bodies; only known if there are clusters.
 struct Within {
   surfels::Linings linings;    ///< surfaces of opaque things
-  surfels::Overlaps overlaps;  ///< other parts of the same body, if parts do not move
-  bool overlapAtRest = false;  ///< some parts would if they did not move
+  surfels::Overlaps overlaps;  ///< with other parts of the same body, unless kept
+  bool overlapAtRest = false;  ///< there are some, kept or not
 };
 
 /// Finds it. Logs things that lie in a body but cannot end its light. Parts that may move apart
-/// have no overlaps: those that clips bend, and all if `partsMove`.
+/// have no overlaps: those that clips bend. If `keepsOverlaps`, nothing counts as one.
 Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
-                  bool partsMove, const LogCallback& log);
+                  bool keepsOverlaps, const LogCallback& log);
 
 }  // namespace opaline

@@ -8,6 +8,16 @@
 
 namespace opaline {
 
+namespace {
+
+// The half-spaces' integral is over all of the surface. The surface of what boundary transport
+// solves has no parts within others.
+bool sumsAllSurfaces(const RenderOptions& options) {
+  return options.transport != Transport::Boundary;
+}
+
+}  // namespace
+
 PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback log)
     : device_(device), passes_(passes), log_(std::move(log)) {}
 
@@ -15,10 +25,10 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
                             EditedScene& scene) {
   const Lighting& lighting = scene.lighting();
   SceneNeeds needs = needsOf(options, plan, lighting);
-  // Where no parts overlap, moving them changes nothing.
-  const bool mayOverlap =
-      !resources_ || !resources_->needs.maxClusters || resources_->within.overlapAtRest;
-  if (mayOverlap) needs.partsMove = scene.partsMove();
+  if (mayOverlap()) {
+    needs.partsMove = scene.partsMove();
+    if (options.sum != Sum::Pattern) needs.allSurfaces = sumsAllSurfaces(options);
+  }
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
   else
@@ -42,7 +52,9 @@ bool PreparedScene::fits(const RenderOptions& options, const FramePlan& plan,
     return !had || had == wanted;
   };
   const SceneNeeds wanted = needsOf(options, plan, lighting);
-  return agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
+  const bool otherOverlaps = options.sum != Sum::Pattern && resources_->within.overlapAtRest &&
+                             resources_->needs.allSurfaces != sumsAllSurfaces(options);
+  return !otherOverlaps && agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
          agree(resources_->needs.maxClusters, wanted.maxClusters);
 }
 
@@ -98,6 +110,11 @@ void PreparedScene::followLights(std::uint32_t lights) {
   resources_->clusters.lights = lights;
   if (lights <= resources_->surfels.lights) return;
   passes::SurfelPass::makeRoomForLights(device_, lights, resources_->surfels);
+}
+
+// Where no parts overlap, neither their motion nor the kind of sum changes surfels.
+bool PreparedScene::mayOverlap() const {
+  return !resources_ || !resources_->needs.maxClusters || resources_->within.overlapAtRest;
 }
 
 void PreparedScene::orderDivision(const EditedScene& scene) {
