@@ -82,16 +82,14 @@ std::shared_ptr<const Image> environment(Dice& dice) {
   return std::make_shared<const Image>(std::move(sky));
 }
 
-std::vector<Deformer> drawDeformers(Dice& dice) {
-  std::vector<Deformer> deformers;
-  while (deformers.size() < 3 && dice.chance(.3F)) {
-    const std::array kinds{DeformerKind::Twist, DeformerKind::Bend, DeformerKind::Squash,
-                           DeformerKind::Wobble};
-    const DeformerKind kind = kinds[static_cast<std::size_t>(dice.below(4))];
-    const float most = kind == DeformerKind::Wobble ? .2F : kind == DeformerKind::Squash ? .5F : 2;
-    deformers.push_back({kind, dice.between(-most, most), dice.chance(.5F) ? 1.0F : 0.0F});
-  }
-  return deformers;
+// Nothing that shines by itself.
+OpaqueMaterial drawOpaque(Dice& dice) {
+  OpaqueMaterial material;
+  material.baseColor = color(dice, 1);
+  if (dice.chance(.3F)) material.metallic = dice.between(0, 1);
+  material.roughness = dice.between(0, 1);
+  if (dice.chance(.2F)) material.diffuseTransmission = dice.between(0, 1);
+  return material;
 }
 
 }  // namespace
@@ -127,6 +125,29 @@ Medium drawMedium(Dice& dice, float sizeMm) {
     medium.sigmaAPerMm[channel] = perMm * absorbed;
   }
   return medium;
+}
+
+Material drawMaterial(Dice& dice, float sizeMm, bool opaque) {
+  Material material{.medium = drawMedium(dice, sizeMm)};
+  if (opaque) {
+    material.opaque = drawOpaque(dice);
+    return material;
+  }
+  if (dice.chance(.2F)) material.paint = Paint{.name = "drawn", .color = color(dice, 1)};
+  if (dice.chance(.2F)) material.surface = TranslucentSurface{.roughness = dice.between(0, 1)};
+  return material;
+}
+
+std::vector<Deformer> drawDeformers(Dice& dice) {
+  std::vector<Deformer> deformers;
+  while (deformers.size() < 3 && dice.chance(.3F)) {
+    const std::array kinds{DeformerKind::Twist, DeformerKind::Bend, DeformerKind::Squash,
+                           DeformerKind::Wobble};
+    const DeformerKind kind = kinds[static_cast<std::size_t>(dice.below(4))];
+    const float most = kind == DeformerKind::Wobble ? .2F : kind == DeformerKind::Squash ? .5F : 2;
+    deformers.push_back({kind, dice.between(-most, most), dice.chance(.5F) ? 1.0F : 0.0F});
+  }
+  return deformers;
 }
 
 Lighting drawLighting(Dice& dice, float sizeMm, const Vec3& middleMm) {
@@ -180,13 +201,22 @@ DrawnScene drawScene(Dice& dice) {
         drawn.sizeMm * static_cast<float>(i) * gaps[static_cast<std::size_t>(dice.below(4))] / 2,
         {1, 0, 0});
     object.mesh = drawBody(dice, drawn.sizeMm / 2, middle);
-    object.medium = drawMedium(dice, drawn.sizeMm);
+    giveMaterial(drawMaterial(dice, drawn.sizeMm, dice.chance(.2F)), object);
     drawn.scene.objects.push_back(std::move(object));
   }
+  drawn.bodies = drawn.scene.objects.size();
   drawn.scene.lighting = drawLighting(dice, drawn.sizeMm, drawn.middleMm);
   drawn.scene.camera = drawCamera(dice, drawn.sizeMm, drawn.middleMm);
   drawn.scene.deformers = drawDeformers(dice);
+  if (dice.chance(.2F))
+    drawn.scene.objects.push_back(groundUnder(drawn.scene, {.color = color(dice, 1)}));
   return drawn;
+}
+
+bool isKnownToPattern(const Scene& scene) {
+  return scene.lighting.areas.empty() &&
+         std::none_of(scene.objects.begin(), scene.objects.end(),
+                      [](const Object& object) { return object.opaque || object.paint; });
 }
 
 RenderOptions drawOptions(Dice& dice, const Scene& scene) {
@@ -218,7 +248,7 @@ RenderOptions drawOptions(Dice& dice, const Scene& scene) {
       break;
     case 3:
       options.transport = Transport::Dipole;
-      if (scene.lighting.areas.empty()) options.sum = Sum::Pattern;
+      if (isKnownToPattern(scene)) options.sum = Sum::Pattern;
       break;
     default:
       break;

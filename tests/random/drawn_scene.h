@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "opaline/render_options.h"
 #include "opaline/scene.h"
@@ -27,10 +29,11 @@ class Dice {
 
 /// A random scene of up to three bodies: solids, thin plates, needles and bodies that touch. Their
 /// size is 1e-3 to 1e6 mm, and their distance from the origin up to 10,000 times that (at most 1e7
-/// mm). They have any medium from 1/3 to 1,000 mean free paths wide, deformers, and lights of all
-/// kinds.
+/// mm). They have any medium from 1/3 to 1,000 mean free paths wide, or are opaque. Some scenes have
+/// paint, deformers or a ground, all have lights of any kind.
 struct DrawnScene {
   Scene scene;
+  std::size_t bodies = 1;  ///< objects without the ground, which is the last
   float sizeMm = 1;
   Vec3 middleMm{};
 };
@@ -38,9 +41,15 @@ DrawnScene drawScene(Dice& dice);
 
 /// For a scene of that size at that place.
 Medium drawMedium(Dice& dice, float sizeMm);
+Material drawMaterial(Dice& dice, float sizeMm, bool opaque);
 Lighting drawLighting(Dice& dice, float sizeMm, const Vec3& middleMm);
 Camera drawCamera(Dice& dice, float sizeMm, const Vec3& middleMm);
 Mesh drawBody(Dice& dice, float sizeMm, const Vec3& middleMm);
+
+std::vector<Deformer> drawDeformers(Dice& dice);
+
+/// Whether Sum::Pattern can show the scene.
+bool isKnownToPattern(const Scene& scene);
 
 /// Options for small pictures by any method that can show the scene.
 RenderOptions drawOptions(Dice& dice, const Scene& scene);

@@ -12,12 +12,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <cmath>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "opaline/options/field.h"
 #include "opaline/renderer.h"
 #include "random/drawn_scene.h"
 
@@ -56,28 +60,21 @@ class Soak {
     edit();
     Shown& shown = views_[static_cast<std::size_t>(dice_.below(static_cast<int>(views_.size())))];
     last_ = &shown;
-    picture_ = shown.view->render({.patient = true, .reuseLight = dice_.chance(.5F)}).images.at(0);
+    order_ = drawOrder(*shown.view);
+    images_ = shown.view->render(order_).images;
   }
 
-  /// Throws where a fresh renderer makes a different picture of the last scene.
+  /// Throws where a fresh renderer makes different pictures of the last scene.
   void compare() const {
     Renderer fresh;
     fresh.setScene(drawn_.scene);
     fresh.setTime(time_);
+    for (const auto& [object, positionsMm] : replaced_) fresh.replacePositions(object, positionsMm);
     View view(fresh, last_->view->options());
     view.setCamera(last_->camera);
-    const std::vector<float> expected = view.render().images.at(0).rgba;
-    std::size_t different = 0;
-    float most = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      if (expected[i] == picture_.rgba.at(i)) continue;
-      ++different;
-      most = std::max(most, std::abs(expected[i] - picture_.rgba[i]));
-    }
-    if (different > 0)
-      throw std::runtime_error(fmt::format(
-          "a fresh renderer makes another picture: {} of {} values differ, by {} at most",
-          different, expected.size(), most));
+    const std::vector<Image> expected = view.render({.aovs = order_.aovs}).images;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      requireEqual(images_.at(i), expected[i], options::nameOf(order_.aovs[i]));
   }
 
   std::uint64_t edits() const { return edits_; }
@@ -89,10 +86,37 @@ class Soak {
     Camera camera;
   };
 
+  static void requireEqual(const Image& image, const Image& expected, std::string_view name) {
+    std::size_t different = 0;
+    float most = 0;
+    for (std::size_t i = 0; i < expected.rgba.size(); ++i) {
+      if (image.rgba.at(i) == expected.rgba[i]) continue;
+      ++different;
+      most = std::max(most, std::abs(image.rgba[i] - expected.rgba[i]));
+    }
+    if (different > 0)
+      throw std::runtime_error(
+          fmt::format("a fresh renderer makes another picture: {} of {} values of {} differ, by {} "
+                      "at most",
+                      different, expected.rgba.size(), name, most));
+  }
+
+  FrameOrder drawOrder(const View& view) {
+    FrameOrder order;
+    order.reuseLight = dice_.chance(.5F);
+    if (dice_.chance(.8F)) return order;
+    const bool surfels = view.options().sum != Sum::Pattern;
+    order.aovs = {Aov::Radiance, Aov::Exitance, Aov::Irradiance,
+                  surfels ? Aov::Surfels : Aov::DsmIrradiance};
+    order.aovs.erase(order.aovs.begin() + dice_.below(4));
+    return order;
+  }
+
   void showAnotherScene() {
     views_.clear();
     drawn_ = drawScene(dice_);
     renderer_.setScene(drawn_.scene);
+    replaced_.clear();
     time_ = {};
     views_.push_back(anotherView());
     ++scenes_;
@@ -107,8 +131,7 @@ class Soak {
 
   void edit() {
     ++edits_;
-    const auto object =
-        static_cast<std::size_t>(dice_.below(static_cast<int>(drawn_.scene.objects.size())));
+    const auto object = static_cast<std::size_t>(dice_.below(static_cast<int>(drawn_.bodies)));
     constexpr std::size_t mostViews = 3;
     // Most edits are of the kinds that frequently occur.
     switch (const int kind = dice_.below(200)) {
@@ -117,6 +140,7 @@ class Soak {
       case 1: {  // another body in its place, with all the rest as it was
         drawn_.scene.objects[object].mesh = drawBody(dice_, drawn_.sizeMm / 2, drawn_.middleMm);
         renderer_.setScene(drawn_.scene);
+        replaced_.clear();
         time_ = {};
         return;
       }
@@ -127,10 +151,12 @@ class Soak {
         return;
       default:
         if (kind < 10) return setOptions(views_.back());
-        if (kind < 20) {
-          const Medium medium = drawMedium(dice_, drawn_.sizeMm);
-          drawn_.scene.objects[object].medium = medium;
-          return renderer_.setMedium(object, medium);
+        if (kind < 14) return setMedium(object);
+        if (kind < 20) return setMaterial(object);
+        if (kind < 26) return movePositions(object);
+        if (kind < 30) {
+          drawn_.scene.deformers = drawDeformers(dice_);
+          return renderer_.setDeformers(drawn_.scene.deformers);
         }
         if (kind < 60) return setLighting();
         if (kind < 120) {
@@ -147,11 +173,46 @@ class Soak {
 
   void setOptions(Shown& shown) { shown.view->setOptions(drawOptions(dice_, drawn_.scene)); }
 
+  void setMedium(std::size_t object) {
+    Object& its = drawn_.scene.objects[object];
+    if (its.opaque) return;
+    its.medium = drawMedium(dice_, drawn_.sizeMm);
+    renderer_.setMedium(object, its.medium);
+  }
+
+  void setMaterial(std::size_t object) {
+    Object& its = drawn_.scene.objects[object];
+    Material material = drawMaterial(dice_, drawn_.sizeMm, its.opaque.has_value());
+    if (anyPattern()) material.paint.reset();
+    giveMaterial(material, its);
+    renderer_.setMaterial(object, material);
+  }
+
+  // Stretches a body, or gives it its own shape again.
+  void movePositions(std::size_t object) {
+    if (dice_.chance(.4F)) {
+      replaced_.erase(object);
+      return renderer_.restorePositions(object);
+    }
+    std::vector<Vec3> positionsMm = drawn_.scene.objects[object].mesh.positionsMm;
+    const auto axis = static_cast<std::size_t>(dice_.below(3));
+    const float factor = dice_.between(.5F, 1.5F);
+    const float middle = drawn_.middleMm[axis];
+    for (Vec3& at : positionsMm) at[axis] = middle + factor * (at[axis] - middle);
+    renderer_.replacePositions(object, positionsMm);
+    replaced_[object] = std::move(positionsMm);
+  }
+
+  // Every view must support all there is.
+  bool anyPattern() const {
+    return std::any_of(views_.begin(), views_.end(), [](const Shown& shown) {
+      return shown.view->options().sum == Sum::Pattern;
+    });
+  }
+
   void setLighting() {
     drawn_.scene.lighting = drawLighting(dice_, drawn_.sizeMm, drawn_.middleMm);
-    // Every view must support all lights.
-    for (Shown& shown : views_)
-      if (shown.view->options().sum == Sum::Pattern) drawn_.scene.lighting.areas.clear();
+    if (anyPattern()) drawn_.scene.lighting.areas.clear();
     renderer_.setLighting(drawn_.scene.lighting);
   }
 
@@ -160,8 +221,10 @@ class Soak {
   DrawnScene drawn_;
   SceneTime time_;
   std::vector<Shown> views_;
+  std::map<std::size_t, std::vector<Vec3>> replaced_;  // positions given for objects
   const Shown* last_ = nullptr;
-  Image picture_;
+  FrameOrder order_;  // of the last frame
+  std::vector<Image> images_;
   std::uint64_t edits_ = 0;
   std::uint64_t scenes_ = 0;
 };

@@ -112,12 +112,14 @@ TEST_F(BoundaryOverlapTest, EachTransportHasItsOwnSurfaces) {
   dipole.transport = Transport::Dipole;
   RenderOptions occluded = dipole;
   occluded.ambientOcclusion = true;  // makes clusters too
-  const std::vector<RenderOptions> all{dipole, occluded, boundary};
+  RenderOptions pattern = occluded;
+  pattern.sum = Sum::Pattern;
+  const std::vector<RenderOptions> all{dipole, occluded, boundary, pattern};
   std::vector<Image> alone;
   for (const RenderOptions& options : all)
     alone.push_back(renderBoundary(scene, options, {Aov::Exitance}).images[0]);
   Renderer& renderer = *sharedRenderer().renderer;
-  for (const std::size_t i : {0U, 2U, 1U, 0U, 1U, 2U, 0U})
+  for (const std::size_t i : {0U, 2U, 1U, 0U, 2U, 3U, 1U, 2U, 0U})
     EXPECT_EQ(renderer.render(all[i], {Aov::Exitance}).images[0].rgba, alone[i].rgba) << i;
   View first(renderer, boundary);
   View second(renderer, dipole);

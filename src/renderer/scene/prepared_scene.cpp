@@ -27,7 +27,7 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
   SceneNeeds needs = needsOf(options, plan, lighting);
   if (mayOverlap()) {
     needs.partsMove = scene.partsMove();
-    if (options.sum != Sum::Pattern) needs.allSurfaces = sumsAllSurfaces(options);
+    needs.allSurfaces = sumsAllSurfaces(options);
   }
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
@@ -52,7 +52,7 @@ bool PreparedScene::fits(const RenderOptions& options, const FramePlan& plan,
     return !had || had == wanted;
   };
   const SceneNeeds wanted = needsOf(options, plan, lighting);
-  const bool otherOverlaps = options.sum != Sum::Pattern && resources_->within.overlapAtRest &&
+  const bool otherOverlaps = resources_->within.overlapAtRest &&
                              resources_->needs.allSurfaces != sumsAllSurfaces(options);
   return !otherOverlaps && agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
          agree(resources_->needs.maxClusters, wanted.maxClusters);

@@ -27,7 +27,7 @@ struct SceneNeeds {
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
   bool rays = false;               ///< without clusters; needs surfels
   bool partsMove = false;          ///< the caller gives positions, so no parts overlap for good
-  bool allSurfaces = false;        ///< a half-space's sum is over parts within others too
+  bool allSurfaces = false;        ///< half-spaces are summed over parts within others too
 
   /// Whether surfels are made of what lies within other parts.
   bool keepsOverlaps() const { return partsMove || allSurfaces; }
