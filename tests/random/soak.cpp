@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -62,6 +62,7 @@ class Soak {
     last_ = &shown;
     order_ = drawOrder(*shown.view);
     images_ = shown.view->render(order_).images;
+    requireSound();
   }
 
   /// Throws where a fresh renderer makes different pictures of the last scene.
@@ -99,6 +100,17 @@ class Soak {
           fmt::format("a fresh renderer makes another picture: {} of {} values of {} differ, by {} "
                       "at most",
                       different, expected.rgba.size(), name, most));
+  }
+
+  // Light is finite and not negative.
+  void requireSound() const {
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      if (order_.aovs[i] == Aov::Surfels) continue;
+      for (const float value : images_[i].rgba)
+        if (!std::isfinite(value) || value < 0)
+          throw std::runtime_error(
+              fmt::format("{} is {} in a pixel", options::nameOf(order_.aovs[i]), value));
+    }
   }
 
   FrameOrder drawOrder(const View& view) {

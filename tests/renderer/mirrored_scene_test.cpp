@@ -146,5 +146,45 @@ TEST_F(MirroredSceneTest, TranslucentBodiesMirrorWhatTheirLobeSees) {
     }
 }
 
+// A polished floor shows the wall of translucent stuff that stands on it as bright as that is.
+// Half-spaces know its light at places that are seen, but the mirror needs it everywhere.
+TEST_F(MirroredSceneTest, MetalMirrorsHalfSpaces) {
+  const Medium medium{"wall", {0.5, 0.6, 0.7}, {0.05, 0.06, 0.07}, 1.3};
+  Scene scene = floorWith({}, marble());
+  scene.lighting = {};
+  scene.lighting.directional = {{{0, 0, 1}, {3, 2, 1}}};
+  scene.objects[0].opaque = OpaqueMaterial{};
+  scene.objects[0].opaque->baseColor = {1, 1, 1};
+  scene.objects[0].opaque->metallic = 1;
+  scene.objects[0].opaque->roughness = 0;
+  scene.objects.push_back(
+      {.name = "wall", .mesh = box({0, 0, -10}, {40, 40, 5}, 24), .medium = medium});
+  for (const Transport transport : {Transport::Dipole, Transport::BetterDipole}) {
+    RenderOptions options = smallOptions();
+    options.transport = transport;
+    options.width = options.height = 96;
+    options.maxSurfels = 65'536;
+    const auto images = render(scene, options, {Aov::Radiance, Aov::Object, Aov::Exitance});
+    std::array<double, 3> wall{};
+    int ofWall = 0;
+    forEachCovered(images[1], [&](std::size_t i) {
+      if (images[1].rgba[i] != 1) return;
+      ++ofWall;
+      for (std::size_t c = 0; c < 3; ++c) wall[c] += static_cast<double>(images[2].rgba[i + c]);
+    });
+    ASSERT_GT(ofWall, 100);
+    int ofFloor = 0;
+    forEachCovered(images[1], [&](std::size_t i) {
+      if (images[1].rgba[i] != 0 || images[1].rgba[i + 3] < 1) return;
+      ++ofFloor;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double expected = wall[c] / ofWall / pi;
+        EXPECT_NEAR(images[0].rgba[i + c], expected, 0.03 * expected) << i / 4 << ' ' << c;
+      }
+    });
+    EXPECT_GT(ofFloor, 1000);
+  }
+}
+
 }  // namespace
 }  // namespace opaline

@@ -24,7 +24,8 @@ class MirroredScenePass {
     Clusters& clusters;
     bool onTranslucent;  ///< translucent surfaces take part; VisibleSurfaces::light has the share
                          ///< of sky that they mirror
-    bool insides;        ///< clusters have the light that leaves translucent bodies
+    bool insides;        ///< clusters have the light that leaves translucent bodies; else they have
+                         ///< half-spaces' means, which opaque surfaces mirror
     float roughness;     ///< of translucent surfaces without their own
   };
   /// Completes VisibleSurfaces::materials.

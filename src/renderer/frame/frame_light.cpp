@@ -140,7 +140,8 @@ struct LightOfFrame : FrameContext {
     }
   }
 
-  // Sums the half-space at the places from which its mean over clusters is computed.
+  // Sums the half-space at the places from which its mean over clusters is computed. Boundary
+  // transport carries what differs from that; without it opaque surfaces mirror the mean.
   void meansOverClusters() const {
     using From = passes::CarryPass::From;
     if (plan.sumsAtVertices)
@@ -196,7 +197,7 @@ struct LightOfFrame : FrameContext {
         passes.opaqueLights.overVertices(commands, onOpaque(), site(), vertices);
     }
     if (!carries()) return;
-    if (boundary()) meansOverClusters();
+    meansOverClusters();
     if (plan.site != Site::Fragment)
       passes.carry.overVertices(commands, site(), resources.tables, scene.clusters, vertices,
                                 resources.exitance.origins);

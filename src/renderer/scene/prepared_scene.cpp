@@ -52,8 +52,8 @@ bool PreparedScene::fits(const RenderOptions& options, const FramePlan& plan,
     return !had || had == wanted;
   };
   const SceneNeeds wanted = needsOf(options, plan, lighting);
-  const bool otherOverlaps = resources_->within.overlapAtRest &&
-                             resources_->needs.allSurfaces != sumsAllSurfaces(options);
+  const bool otherOverlaps =
+      resources_->within.overlapAtRest && resources_->needs.allSurfaces != sumsAllSurfaces(options);
   return !otherOverlaps && agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
          agree(resources_->needs.maxClusters, wanted.maxClusters);
 }

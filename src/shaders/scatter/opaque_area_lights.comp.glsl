@@ -74,8 +74,9 @@ uvec4 withShare(uvec4 shares, uint light, uint bits) {
   return shares;
 }
 
-uint areaLights() {
-  return frame.counts.w - firstAreaLight();
+// See lightsAt() of lib/light.glsl.
+uint areaLightsAt(vec3 position) {
+  return allLightsAt(position) - firstAreaLight();
 }
 
 bool hasShares(ObjectData body) {
@@ -130,10 +131,10 @@ struct Around {
   uint hidden;
 };
 
-void look(ivec2 pixel, inout Around around) {
+void look(ivec2 pixel, vec3 position, inout Around around) {
   if (!isAsked(pixel)) return;
   uvec4 shares = sharesBefore[indexOf(pixel)];
-  for (uint light = 0u; light < areaLights(); ++light) {
+  for (uint light = 0u; light < areaLightsAt(position); ++light) {
     uint share = shareOf(shares, light);
     if (share == unasked) continue;
     if (share != 0u) around.visible |= 1u << light;
@@ -142,12 +143,12 @@ void look(ivec2 pixel, inout Around around) {
 }
 
 // What a window agrees on; half where it does not.
-uvec4 comparedShares(ivec2 pixel) {
+uvec4 comparedShares(ivec2 pixel, vec3 position) {
   Around around = Around(0u, 0u);
   ivec2 window = windowAround(pixel, width);
-  for (uint i = 0u; i < uint(width * width); ++i) look(pixelOfWindow(window, i, width), around);
+  for (uint i = 0u; i < uint(width * width); ++i) look(pixelOfWindow(window, i, width), position, around);
   uvec4 shares = uvec4(0u);
-  for (uint light = 0u; light < areaLights(); ++light) {
+  for (uint light = 0u; light < areaLightsAt(position); ++light) {
     bool visible = bitfieldExtract(around.visible, int(light), 1) != 0u;
     bool hidden = bitfieldExtract(around.hidden, int(light), 1) != 0u;
     shares = withShare(shares, light, visible ? (hidden ? whole / 2u : whole) : hidden ? 0u : unasked);
@@ -167,8 +168,8 @@ uvec4 askedShares(Seen seen, MeshPlace place) {
   Receiver receiver = receiverOf(place, seen.entry);
   Around around = Around(0u, 0u);
   if (round == askingAgain) {
-    look(seen.pixel, around);
-    for (int i = 0; i < 16; ++i) look(middleOfWindow(seen.pixel, i, 4), around);
+    look(seen.pixel, place.position, around);
+    for (int i = 0; i < 16; ++i) look(middleOfWindow(seen.pixel, i, 4), place.position, around);
   }
   for (uint i = firstAreaLight(); i < allLightsAt(place.position); ++i) {
     uint light = i - firstAreaLight();
@@ -257,7 +258,7 @@ uvec4 averagedShares(Seen seen, MeshPlace place) {
   uint alike = alikeAround(seen, place);
   if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // all change slowly
   uvec4 shares = uvec4(0u);
-  for (uint light = 0u; light < areaLights(); ++light)
+  for (uint light = 0u; light < areaLightsAt(place.position); ++light)
     shares = withShare(shares, light, averaged(sharesAround(light, seen.pixel, alike)));
   return shares;
 }
@@ -318,7 +319,7 @@ void main() {
     else
       irradiances[seen.entry].rgb += found;
   } else if (isFirstSurface(seen)) {
-    lightShares[indexOf(seen.pixel)] = round == comparing   ? comparedShares(seen.pixel)
+    lightShares[indexOf(seen.pixel)] = round == comparing   ? comparedShares(seen.pixel, place.position)
                                        : round == averaging ? averagedShares(seen, place)
                                                             : askedShares(seen, place);
   }

@@ -24,7 +24,7 @@
 
 layout(std430, set = 0, binding = 7) buffer Materials { SeenMaterial materials[]; };
 layout(std430, set = 0, binding = 8) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
-layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };  // or half-spaces' means
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 17) readonly buffer SkyShares { float skyShares[]; };
 
