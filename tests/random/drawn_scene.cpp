@@ -201,13 +201,20 @@ DrawnScene drawScene(Dice& dice) {
         drawn.sizeMm * static_cast<float>(i) * gaps[static_cast<std::size_t>(dice.below(4))] / 2,
         {1, 0, 0});
     object.mesh = drawBody(dice, drawn.sizeMm / 2, middle);
-    giveMaterial(drawMaterial(dice, drawn.sizeMm, dice.chance(.2F)), object);
+    object.medium = drawMedium(dice, drawn.sizeMm);
     drawn.scene.objects.push_back(std::move(object));
   }
   drawn.bodies = drawn.scene.objects.size();
   drawn.scene.lighting = drawLighting(dice, drawn.sizeMm, drawn.middleMm);
   drawn.scene.camera = drawCamera(dice, drawn.sizeMm, drawn.middleMm);
   drawn.scene.deformers = drawDeformers(dice);
+  return drawn;
+}
+
+DrawnScene drawSceneOfAllKinds(Dice& dice) {
+  DrawnScene drawn = drawScene(dice);
+  for (Object& object : drawn.scene.objects)
+    giveMaterial(drawMaterial(dice, drawn.sizeMm, dice.chance(.2F)), object);
   if (dice.chance(.2F))
     drawn.scene.objects.push_back(groundUnder(drawn.scene, {.color = color(dice, 1)}));
   return drawn;

@@ -29,8 +29,8 @@ class Dice {
 
 /// A random scene of up to three bodies: solids, thin plates, needles and bodies that touch. Their
 /// size is 1e-3 to 1e6 mm, and their distance from the origin up to 10,000 times that (at most 1e7
-/// mm). They have any medium from 1/3 to 1,000 mean free paths wide, or are opaque. Some scenes
-/// have paint, deformers or a ground, all have lights of any kind.
+/// mm). They have any medium from 1/3 to 1,000 mean free paths wide, deformers, and lights of all
+/// kinds.
 struct DrawnScene {
   Scene scene;
   std::size_t bodies = 1;  ///< objects without the ground, which is the last
@@ -38,6 +38,9 @@ struct DrawnScene {
   Vec3 middleMm{};
 };
 DrawnScene drawScene(Dice& dice);
+
+/// The same, and some bodies are opaque, painted or rough, or stand on a ground.
+DrawnScene drawSceneOfAllKinds(Dice& dice);
 
 /// For a scene of that size at that place.
 Medium drawMedium(Dice& dice, float sizeMm);

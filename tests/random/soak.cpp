@@ -126,7 +126,7 @@ class Soak {
 
   void showAnotherScene() {
     views_.clear();
-    drawn_ = drawScene(dice_);
+    drawn_ = drawSceneOfAllKinds(dice_);
     renderer_.setScene(drawn_.scene);
     replaced_.clear();
     time_ = {};

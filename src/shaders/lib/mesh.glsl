@@ -105,11 +105,12 @@ MeshPlace otherSideOf(MeshPlace place) {
 #ifdef BINDING_MESH_EXITANCES
 TEXELS(BINDING_MESH_EXITANCES, meshExitances);
 
-// The light of vertices, which begins at `first`.
+// The light of vertices, which begins at `first`. The mean place of samples may lie a little outside its triangle.
 vec4 meshExitanceAt(MeshPlace place, uint first) {
-  return place.weights.x * texelOf(meshExitances, int(first + place.vertices.x)) +
-         place.weights.y * texelOf(meshExitances, int(first + place.vertices.y)) +
-         place.weights.z * texelOf(meshExitances, int(first + place.vertices.z));
+  vec4 between = place.weights.x * texelOf(meshExitances, int(first + place.vertices.x)) +
+                 place.weights.y * texelOf(meshExitances, int(first + place.vertices.y)) +
+                 place.weights.z * texelOf(meshExitances, int(first + place.vertices.z));
+  return max(between, vec4(0.0));
 }
 
 vec4 meshExitanceAt(MeshPlace place) {
