@@ -282,7 +282,7 @@ class View::Implementation {
   SceneChanges follow(FramePlan& plan, const FrameOrder& order) {
     EditedScene& edited = context_.edited;
     const Lighting& lighting = edited.lighting();
-    prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
+    prepared_ = context_.prepared.share(options_, plan, edited, std::move(prepared_));
     prepared_->prepare(options_, plan, order.patient, edited);
     const SceneChanges changes = prepared_->changes(edited);
     resources_.follow(options_, plan, prepared_->scene(), edited, changes);

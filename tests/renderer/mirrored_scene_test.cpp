@@ -183,6 +183,14 @@ TEST_F(MirroredSceneTest, MetalMirrorsHalfSpaces) {
       }
     });
     EXPECT_GT(ofFloor, 1000);
+    // Light that was found for exitance alone lacks what is mirrored.
+    Lighting brighter = scene.lighting;
+    brighter.directional[0].irradiance = {6, 4, 2};
+    renderer().setLighting(brighter);
+    View view(renderer(), options);
+    view.render({.aovs = {Aov::Exitance}});
+    const Image after = view.render({.reuseLight = true}).images[0];
+    EXPECT_EQ(after.rgba, view.render().images[0].rgba);
   }
 }
 

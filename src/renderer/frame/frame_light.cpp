@@ -140,8 +140,7 @@ struct LightOfFrame : FrameContext {
     }
   }
 
-  // Sums the half-space at the places from which its mean over clusters is computed. Boundary
-  // transport carries what differs from that; without it opaque surfaces mirror the mean.
+  // Sums the half-space at the places from which its mean over clusters is computed.
   void meansOverClusters() const {
     using From = passes::CarryPass::From;
     if (plan.sumsAtVertices)
@@ -197,7 +196,7 @@ struct LightOfFrame : FrameContext {
         passes.opaqueLights.overVertices(commands, onOpaque(), site(), vertices);
     }
     if (!carries()) return;
-    meansOverClusters();
+    if (findsMeans(plan)) meansOverClusters();
     if (plan.site != Site::Fragment)
       passes.carry.overVertices(commands, site(), resources.tables, scene.clusters, vertices,
                                 resources.exitance.origins);

@@ -89,6 +89,10 @@ bool sendsRays(const FramePlan& plan) {
          (plan.scatter && plan.mirrorsSky);
 }
 
+bool findsMeans(const FramePlan& plan) {
+  return solves(plan) || (carriesOpaque(plan) && plan.mirrorsSky);
+}
+
 bool looksAround(const FramePlan& plan) {
   return usesClusters(plan) && (plan.bounces > 0 || plan.occludesSky || carriesOpaque(plan));
 }

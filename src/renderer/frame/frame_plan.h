@@ -59,6 +59,10 @@ bool onSurfels(const FramePlan& plan);
 bool usesClusters(const FramePlan& plan);
 bool sendsRays(const FramePlan& plan);
 
+/// Whether clusters find their means of half-spaces: boundary transport carries what differs from
+/// them, without it opaque surfaces mirror them.
+bool findsMeans(const FramePlan& plan);
+
 /// Whether finding light needs shadow maps.
 bool drawsShadows(const FramePlan& plan);
 

@@ -10,8 +10,8 @@ bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
   const RenderOptions& a = lit.options;
   const RenderOptions& b = now.options;
   return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
-         lit.rays >= now.rays && a.transport == b.transport && a.sum == b.sum &&
-         a.tolerance == b.tolerance && a.bounces == b.bounces &&
+         lit.rays >= now.rays && lit.means >= now.means && a.transport == b.transport &&
+         a.sum == b.sum && a.tolerance == b.tolerance && a.bounces == b.bounces &&
          a.ambientOcclusion == b.ambientOcclusion;
 }
 
@@ -20,7 +20,7 @@ bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
 bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan, bool reuse,
                           const SceneChanges& changes, ViewResources& view) {
   const bool rays = sendsRays(plan);
-  const ViewResources::Lit now{options, changes, plan.site, plan.map, rays};
+  const ViewResources::Lit now{options, changes, plan.site, plan.map, rays, findsMeans(plan)};
   const bool hasSurfels = options.sum != Sum::Pattern;
   const bool readsSurfels = rays || (hasSurfels && (plan.site != Site::Vertex || plan.irradiance));
   const bool there = !readsSurfels || litSurfels_ == &view;

@@ -38,7 +38,8 @@ class ViewResources {
     SceneChanges changes;
     Site site = Site::Vertex;
     bool map = false;
-    bool rays = false;  ///< the surface is ready for rays
+    bool rays = false;   ///< the surface is ready for rays
+    bool means = false;  ///< clusters have means of half-spaces
   };
   std::optional<Lit> lit;
 

@@ -23,12 +23,12 @@ Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const L
 /// What lies within translucent bodies; only known if there are clusters.
 struct Within {
   surfels::Linings linings;    ///< surfaces of opaque things
-  surfels::Overlaps overlaps;  ///< with other parts of the same body, unless kept
-  bool overlapAtRest = false;  ///< there are some, kept or not
+  surfels::Overlaps overlaps;  ///< of parts of one body, unless surfels cover these too
+  bool overlapAtRest = false;  ///< some do at rest
 };
 
-/// Finds it. Logs things that lie in a body but cannot end its light. Parts that may move apart
-/// have no overlaps: those that clips bend. If `keepsOverlaps`, nothing counts as one.
+/// Finds it. Logs things that lie in a body but cannot end its light. Parts that clips bend may
+/// move apart and have no overlaps. `keepsOverlaps`: as in SceneNeeds.
 Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
                   bool keepsOverlaps, const LogCallback& log);
 

@@ -11,9 +11,9 @@ namespace opaline {
 namespace {
 
 // The half-spaces' integral is over all of the surface. The surface of what boundary transport
-// solves has no parts within others.
-bool sumsAllSurfaces(const RenderOptions& options) {
-  return options.transport != Transport::Boundary;
+// solves has no parts within others, unless these may move apart.
+bool keepsOverlaps(const RenderOptions& options, const EditedScene& scene) {
+  return options.transport != Transport::Boundary || scene.partsMove();
 }
 
 }  // namespace
@@ -24,11 +24,7 @@ PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback lo
 void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
                             EditedScene& scene) {
   const Lighting& lighting = scene.lighting();
-  SceneNeeds needs = needsOf(options, plan, lighting);
-  if (mayOverlap()) {
-    needs.partsMove = scene.partsMove();
-    needs.allSurfaces = sumsAllSurfaces(options);
-  }
+  const SceneNeeds needs = needsOf(options, plan, scene);
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
   else
@@ -46,14 +42,14 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
 }
 
 bool PreparedScene::fits(const RenderOptions& options, const FramePlan& plan,
-                         const Lighting& lighting) const {
+                         const EditedScene& scene) const {
   if (!resources_) return true;
   const auto agree = [](const std::optional<int>& had, const std::optional<int>& wanted) {
     return !had || had == wanted;
   };
-  const SceneNeeds wanted = needsOf(options, plan, lighting);
+  const SceneNeeds wanted = needsOf(options, plan, scene);
   const bool otherOverlaps =
-      resources_->within.overlapAtRest && resources_->needs.allSurfaces != sumsAllSurfaces(options);
+      resources_->within.overlapAtRest && resources_->needs.keepsOverlaps != wanted.keepsOverlaps;
   return !otherOverlaps && agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
          agree(resources_->needs.maxClusters, wanted.maxClusters);
 }
@@ -70,7 +66,8 @@ void PreparedScene::clear() {
 }
 
 SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan,
-                                  const Lighting& lighting) const {
+                                  const EditedScene& scene) const {
+  const Lighting& lighting = scene.lighting();
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
   if (options.transport == Transport::Boundary || occludesSky(plan, lighting))
     needs.maxClusters = options.maxClusters;
@@ -79,6 +76,9 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
   if (sendsRays && !needs.maxClusters) needs.rays = true;
   if (options.sum != Sum::Pattern || needs.rays || needs.maxClusters)
     needs.maxSurfels = options.maxSurfels;
+  // Where no parts overlap, it makes no difference.
+  if (!resources_ || !resources_->needs.maxClusters || resources_->within.overlapAtRest)
+    needs.keepsOverlaps = keepsOverlaps(options, scene);
   return needs;
 }
 
@@ -110,11 +110,6 @@ void PreparedScene::followLights(std::uint32_t lights) {
   resources_->clusters.lights = lights;
   if (lights <= resources_->surfels.lights) return;
   passes::SurfelPass::makeRoomForLights(device_, lights, resources_->surfels);
-}
-
-// Where no parts overlap, neither their motion nor the kind of sum changes surfels.
-bool PreparedScene::mayOverlap() const {
-  return !resources_ || !resources_->needs.maxClusters || resources_->within.overlapAtRest;
 }
 
 void PreparedScene::orderDivision(const EditedScene& scene) {

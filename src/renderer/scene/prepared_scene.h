@@ -28,7 +28,7 @@ class PreparedScene {
 
   /// Whether it suits the frame: it may lack something, but has nothing that the frame needs to be
   /// different.
-  bool fits(const RenderOptions& options, const FramePlan& plan, const Lighting& lighting) const;
+  bool fits(const RenderOptions& options, const FramePlan& plan, const EditedScene& scene) const;
   /// Updates what the frame needs. What other sums need is kept for later frames. `patient`: waits
   /// until the surface is divided for the scene's media.
   void prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
@@ -51,11 +51,10 @@ class PreparedScene {
 
  private:
   SceneNeeds needsOf(const RenderOptions& options, const FramePlan& plan,
-                     const Lighting& lighting) const;
+                     const EditedScene& scene) const;
   void make(EditedScene& scene, const SceneNeeds& needs, Site site);
   void followMedia(EditedScene& scene, bool patient);
   void followLights(std::uint32_t lights);
-  bool mayOverlap() const;
   void orderDivision(const EditedScene& scene);
   void layFlat(int mapSize);
 

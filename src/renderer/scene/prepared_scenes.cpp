@@ -10,10 +10,10 @@ PreparedScenes::PreparedScenes(gpu::Device& device, Passes& passes, LogCallback 
 
 std::shared_ptr<PreparedScene> PreparedScenes::share(const RenderOptions& options,
                                                      const FramePlan& plan,
-                                                     const Lighting& lighting,
+                                                     const EditedScene& edited,
                                                      std::shared_ptr<PreparedScene> present) {
   const auto fits = [&](const std::shared_ptr<PreparedScene>& scene) {
-    return scene && scene->fits(options, plan, lighting);
+    return scene && scene->fits(options, plan, edited);
   };
   if (!fits(present)) {
     std::vector<std::shared_ptr<PreparedScene>> others;

@@ -17,7 +17,7 @@ class PreparedScenes {
   /// The prepared scene for a frame of a view that uses `present`, which may be null: `present` if
   /// it fits, else another view's that fits, else a new one.
   std::shared_ptr<PreparedScene> share(const RenderOptions& options, const FramePlan& plan,
-                                       const Lighting& lighting,
+                                       const EditedScene& edited,
                                        std::shared_ptr<PreparedScene> present);
   /// Drops everything, because another scene will be set.
   void clear();

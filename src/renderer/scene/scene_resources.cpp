@@ -323,7 +323,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   makeMesh(device, scene, resources);
   if (needs.maxClusters) {
     resources.insides = findInsides(scene, merged, log);
-    resources.within = findWithin(scene, merged, resources.insides, needs.keepsOverlaps(), log);
+    resources.within = findWithin(scene, merged, resources.insides, needs.keepsOverlaps, log);
   }
   if (needs.maxSurfels) {
     const Division division = divide(merged, orderFor(device, scene, resources), resources.within);

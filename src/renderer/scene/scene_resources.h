@@ -26,11 +26,7 @@ struct SceneNeeds {
   std::optional<int> maxSurfels;   ///< surfels and their tree
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
   bool rays = false;               ///< without clusters; needs surfels
-  bool partsMove = false;          ///< the caller gives positions, so no parts overlap for good
-  bool allSurfaces = false;        ///< half-spaces are summed over parts within others too
-
-  /// Whether surfels are made of what lies within other parts.
-  bool keepsOverlaps() const { return partsMove || allSurfaces; }
+  bool keepsOverlaps = false;      ///< surfels on what lies within other parts of a body too
 
   bool operator==(const SceneNeeds&) const = default;
 };
