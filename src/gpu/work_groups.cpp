@@ -14,8 +14,7 @@ WorkGroups ofSoftware(std::uint32_t subgroupSize) {
   constexpr std::uint32_t most = 64;
   groups.invocations = std::min(subgroupSize, most);
   groups.invocationsOfTile = groups.invocations;
-  // Mesa's device ends an invocation's loops after 65,535 rounds in total. Work that may exceed
-  // that with eight invocations gets twice as many.
+  // Work whose loops may end too early with eight invocations gets twice as many.
   groups.invocationsOfLongWork = std::clamp(subgroupSize, 2 * least, most);
   return groups;
 }
@@ -34,6 +33,7 @@ WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,
   groups.invocationsOfRays = upTo(512);
   groups.invocationsOfTile = 128;
   groups.lanes = 32;
+  groups.loopsEnd = false;
   groups.drawTriangles = true;
   return groups;
 }

@@ -16,7 +16,9 @@ struct WorkGroups {
   std::uint32_t lanes = 1;                   ///< lib/lanes.glsl
   std::uint32_t invocationsOfRays = 64;  ///< for groups that send some hundred rays; at least 64
   std::uint32_t invocationsOfTile = 64;  ///< lib/work_group.glsl with TILE_WORK
-  bool drawTriangles = false;            ///< by lib/raster.glsl instead of rasterization hardware
+  /// An invocation's loops end after 65,535 rounds in total, as on Mesa's software device.
+  bool loopsEnd = true;
+  bool drawTriangles = false;  ///< by lib/raster.glsl instead of rasterization hardware
 };
 
 WorkGroups workGroupsOf(bool isSoftware, std::uint32_t subgroupSize,

@@ -261,6 +261,8 @@ struct Clusters {
   std::uint32_t lights = 0;  ///< of the frame
   gpu::Buffer meetings;      ///< shared::Meeting, for the outward rays of each cluster
   std::uint32_t raysOutwards = 0;  ///< of each cluster
+  std::uint32_t raysAtOnce = 0;    ///< of these
+  gpu::Buffer skySums;             ///< shared::SkySum per cluster, of the rays sent so far
   Beams fromLights;                ///< of a few lights at a time
   Beams fromEverywhere;
   gpu::Buffer mirrored;    ///< shared::Mirrored per cluster and light, of a few lights at a time

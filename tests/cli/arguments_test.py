@@ -59,6 +59,9 @@ class Refusals(ProgramTest):
         self.write("-cube.obj", CUBE_OBJ)
         self.refused(2, "info", "-cube.obj", says="info has no option -cube.obj; the file is ./-cube.obj.")
         self.succeed("info", "./-cube.obj")
+        self.succeed("info", "--quiet", "--", "-cube.obj")
+        self.refused(1, "info", "--", "-cube.obj", "--quiet", says="Cannot read --quiet")
+        self.refused(2, "media", "--", "-cube.obj", says="-cube.obj")
 
     def test_what_is_nothing_alike_suggests_nothing(self):
         for command, typed in (("view", "--chunk"), ("render", "--resolution"), ("render", "-z")):

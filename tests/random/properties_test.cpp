@@ -137,7 +137,7 @@ Lighting evenLight() {
 
 void check(std::uint32_t seed) {
   Dice dice(seed);
-  const DrawnScene drawn = drawScene(dice);
+  const DrawnScene drawn = drawSceneOfAllKinds(dice);
   const RenderOptions options = drawOptions(dice, drawn.scene);
   SCOPED_TRACE("seed " + std::to_string(seed) + ", size " + std::to_string(drawn.sizeMm) +
                " mm, at " + std::to_string(drawn.middleMm[0]) + ", transport " +
@@ -180,6 +180,11 @@ TEST(Properties, HoldOfDrawnScenes) {
   const int first = fromEnvironment("OPALINE_SEED", 1);
   const int count = fromEnvironment("OPALINE_SCENES", 6);
   for (int seed = first; seed < first + count; ++seed) check(static_cast<std::uint32_t>(seed));
+}
+
+// Its ground is a thousand kilometres wide.
+TEST(Properties, HoldOfALargeScene) {
+  check(118);
 }
 
 }  // namespace

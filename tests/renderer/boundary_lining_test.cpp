@@ -232,5 +232,23 @@ TEST_F(BoundaryLiningTest, GoesWithWhatMoves) {
   EXPECT_GT(errorsOf(still.exitance, made.exitance).rms, 0.05);
 }
 
+// What lets light through ends none, and edits may turn one into the other.
+TEST_F(BoundaryLiningTest, ComesAndGoesWithTheMaterial) {
+  Scene scene = ballAround(coreOf(sphere({0, 0, 0}, coreMm, 3), {0, 0, 0}));
+  scene.lighting = {};
+  scene.lighting.environment = slopingSky();
+  RenderOptions options = boundaryOptions(40);
+  options.maxClusters = 512;
+  Renderer& renderer = *sharedRenderer().renderer;
+  renderer.setScene(scene);
+  const Image solid = renderer.render(options).images[0];
+  scene.objects[1].opaque->diffuseTransmission = 0.5F;
+  renderer.setMaterial(1, materialOf(scene.objects[1]));
+  const Image porous = renderer.render(options).images[0];
+  renderer.setScene(scene);
+  EXPECT_EQ(porous.rgba, renderer.render(options).images[0].rgba);
+  EXPECT_GT(errorsOf(solid, porous).rms, 0.02);
+}
+
 }  // namespace
 }  // namespace opaline

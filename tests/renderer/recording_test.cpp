@@ -182,16 +182,17 @@ RenderReport reportOf(const Medium& medium, int levels) {
 }
 
 // Each command waits for others or is waited for, some microseconds on a GPU. A default frame has
-// at most 120 of each kind. Summing at fragments takes three rounds with ten more.
+// at most 120 of each kind. Summing at fragments takes three rounds with ten more. Mesa's software
+// device has one more, as it sends the rays of clusters in two parts (gpu::WorkGroups::loopsEnd).
 TEST_F(FrameRecordingTest, ADefaultFrameHasFewCommands) {
   for (const Medium& medium : {marble(), skin()}) {
     const RenderReport atVertices = reportOf(medium, 5);
-    EXPECT_LE(atVertices.dispatches, 120U);
-    EXPECT_LE(atVertices.barriers, 120U);
+    EXPECT_LE(atVertices.dispatches, 121U);
+    EXPECT_LE(atVertices.barriers, 121U);
     EXPECT_GT(atVertices.barriers, 50U);
     const RenderReport atFragments = reportOf(medium, 3);
-    EXPECT_LE(atFragments.dispatches, 130U);
-    EXPECT_LE(atFragments.barriers, 130U);
+    EXPECT_LE(atFragments.dispatches, 131U);
+    EXPECT_LE(atFragments.barriers, 131U);
   }
 }
 

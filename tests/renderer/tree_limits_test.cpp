@@ -56,6 +56,25 @@ TEST_F(TreeLimitsTest, TheFaintestLightIsStillANumber) {
   }
 }
 
+// Rays through surfels of a hundred triangles each go through many more than where each is one, and
+// devices may limit how long a loop is.
+TEST_F(TreeLimitsTest, LightDoesNotDependOnHowManyTrianglesAreInASurfel) {
+  RenderOptions options = fragments();
+  options.transport = Transport::Boundary;
+  options.bounces = 1;
+  options.maxSurfels = 1024;
+  options.maxClusters = 512;
+  std::vector<Image> found;
+  for (const int cells : {8, 64}) {
+    const Mesh left = box({-6, 0, 0}, {4, 8, 4}, cells);
+    const Mesh right = box({6, 0, 0}, {4, 8, 4}, cells);
+    Scene scene = sceneOf(together(left, right), skin(), {20, 10, 40}, 12);
+    scene.lighting.ambient = {1, 1, 1};
+    found.push_back(render(scene, options, {Aov::Exitance})[0]);
+  }
+  EXPECT_LT(errorsOf(found[1], found[0]).rms, 0.03);
+}
+
 // Every pass there is, as often as there may be.
 TEST_F(TreeLimitsTest, AFrameMayHaveAllItsPasses) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 300, 4), marble(), {0, 0, 900}, 400);

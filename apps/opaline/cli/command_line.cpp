@@ -22,6 +22,9 @@ namespace {
 constexpr std::size_t helpColumn = 30;
 constexpr std::size_t helpWidth = 80;
 
+// What follows it are files, even if their names begin with -.
+constexpr std::string_view endOfOptions = "--";
+
 /// The number of edits from one word to the other; swapping neighbours counts as one (Damerau
 /// 1964).
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -244,6 +247,7 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
 
 void CommandLine::replaceSynonyms(std::vector<std::string>& arguments) {
   for (std::string& argument : arguments) {
+    if (argument == endOfOptions) break;
     const std::string typed = argument.substr(0, argument.find('='));
     const auto found = synonyms_.find(typed);
     if (found == synonyms_.end()) continue;
@@ -253,7 +257,7 @@ void CommandLine::replaceSynonyms(std::vector<std::string>& arguments) {
 }
 
 void CommandLine::fillLeftOut(std::vector<std::string>& arguments) const {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != endOfOptions; ++i) {
     const auto found = standards_.find(arguments[i]);
     if (found == standards_.end()) continue;
     const bool given = i + 1 < arguments.size() && isForNumbers(arguments[i + 1]);
@@ -286,8 +290,9 @@ void CommandLine::run(std::vector<std::string> arguments) {
 }
 
 void CommandLine::refuseLeftovers() const {
-  const std::vector<std::string> rest = app_->remaining();
-  for (const std::string& argument : rest) {
+  std::vector<std::string> rest = app_->remaining();
+  const auto end = std::find(rest.begin(), rest.end(), endOfOptions);
+  for (const std::string& argument : std::span(rest.begin(), end)) {
     if (argument.size() > 1 && argument[0] == '-') {
       const std::string option = argument.substr(0, argument.find('='));
       const auto found = unavailable_.find(option);
@@ -301,6 +306,7 @@ void CommandLine::refuseLeftovers() const {
           fmt::format("{} has no option {}{}", name_, option, suggestion(option, optionNames())));
     }
   }
+  if (end != rest.end()) rest.erase(end);
   if (rest.empty()) return;
   if (positionalNames_.empty()) {
     throw UsageError(fmt::format("{} takes no argument {}", name_, rest[0]));

@@ -95,9 +95,15 @@ VariantsOfTwo<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, b
   return {{make(false, false), make(false, true)}, {make(true, false), make(true, true)}};
 }
 
+// Where loops end early, an invocation has no more paths than can be followed in any body.
+std::uint32_t sharersOf(const gpu::Device& device) {
+  constexpr std::uint32_t mostPaths = 6;
+  return device.workGroups().loopsEnd ? shared::pathsOfBeam / mostPaths : shared::pathsOfBeam;
+}
+
 BeamPass::BeamPass(gpu::Device& device)
     : trace_{makeTrace(device, false), makeTrace(device, true)},
-      sharers_(device.workGroups().lanes > 1 ? shared::pathsOfBeam : 1),
+      sharers_(sharersOf(device)),
       followOn_{{device, "second collisions", {.withLinings = 0, .sharers = sharers_}},
                 {device, "second collisions", {.withLinings = 1, .sharers = sharers_}}},
       addMirrored_(device, "mirrored light", {.addsUp = 1}),

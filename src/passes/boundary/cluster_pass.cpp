@@ -48,6 +48,13 @@ std::uint32_t roomOfList(std::uint32_t nodes, std::size_t tiles) {
 // Rays by which a cluster finds what it sees.
 constexpr std::uint32_t raysOutwards = 48;
 
+// How many of them one dispatch sends. Where loops end early, that depends on how many pieces rays
+// go through.
+std::uint32_t raysAtOnce(const gpu::Device& device, std::uint32_t piecesPerSurfel) {
+  if (!device.workGroups().loopsEnd) return raysOutwards;
+  return std::max(raysOutwards / (piecesPerSurfel + 1), 1U);
+}
+
 constexpr VkBufferUsageFlags clusterBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
@@ -264,6 +271,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   Clusters clusters;
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
+  clusters.raysAtOnce = raysAtOnce(device, surfels.piecesPerSurfel);
   clusters.tree = makeFittedTree(device, made.tree);
   std::vector<shared::ClusterRange> ranges = rangesOf(made, surface, surfels, kinds);
   std::vector<shared::ClusterTile> tiles = tilesOf(ranges);
@@ -306,6 +314,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.entries = makeRoom<shared::Entry>(device, "light that enters",
                                              count * (shared::maxLights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
+  clusters.skySums = makeRoom<shared::SkySum>(device, "sums of the sky", count);
   const std::uint32_t lights = lightsAtOnce(device, clusters.count);
   const std::size_t trees = 2 * (1 + std::size_t{lights});
   clusters.fromLights = makeBeams(device, "lights", count * lights);
@@ -426,25 +435,34 @@ void ClusterPass::enclose(gpu::CommandList& commands, const ShapeInputs& inputs,
 void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                          Clusters& clusters) const {
   const bool looksThrough = inputs.looksThrough && inputs.tables.haveThinParts;
-  commands.bind(survey_.of(looksThrough, looksThrough && inputs.tables.paint.any),
-                {.objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .pieceCorners = inputs.rays.corners,
-                 .rayHierarchy = rays(inputs.rays),
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .clusterOfSurfel = clusters.clusterOfSurfel,
-                 .meetings = clusters.meetings,
-                 .skyRadiance = {inputs.sky.radiance, linear_},
-                 .skyShares = clusters.skyShares,
-                 .brightSky = inputs.sky.bright,
-                 .clusterPaints = inputs.tables.paint.clusters},
-                {.clusterCount = clusters.count,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .raysOutwards = inputs.looksAround ? clusters.raysOutwards : 0,
-                 .nodeCount = inputs.surfels.tree.nodeCount});
-  commands.dispatchLanes(clusters.count,
-                         (raysOutwards + 1 + 2 * shared::placesInwards) * roundsOfWalk);
+  const std::uint32_t all = inputs.looksAround ? clusters.raysOutwards : 0;
+  std::uint32_t first = 0;
+  do {
+    const std::uint32_t end = std::min(first + clusters.raysAtOnce, all);
+    commands.bind(survey_.of(looksThrough, looksThrough && inputs.tables.paint.any),
+                  {.objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .pieceCorners = inputs.rays.corners,
+                   .rayHierarchy = rays(inputs.rays),
+                   .ranges = clusters.ranges,
+                   .clusters = clusters.clusters,
+                   .clusterOfSurfel = clusters.clusterOfSurfel,
+                   .meetings = clusters.meetings,
+                   .skyRadiance = {inputs.sky.radiance, linear_},
+                   .skyShares = clusters.skyShares,
+                   .brightSky = inputs.sky.bright,
+                   .clusterPaints = inputs.tables.paint.clusters,
+                   .skySums = clusters.skySums},
+                  {.clusterCount = clusters.count,
+                   .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                   .raysOutwards = all,
+                   .nodeCount = inputs.surfels.tree.nodeCount,
+                   .firstRay = first,
+                   .endRay = end});
+    commands.dispatchLanes(clusters.count,
+                           (end - first + 1 + 2 * shared::placesInwards) * roundsOfWalk);
+    first = end;
+  } while (first < all);
 }
 
 }  // namespace opaline::passes

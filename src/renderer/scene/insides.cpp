@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "scene/changes.h"
 #include "scene/mesh/bodies.h"
@@ -43,14 +44,23 @@ void noteSheetsInside(const std::vector<std::string_view>& names, const LogCallb
                   one ? "" : "s", listed(names), one ? "lies" : "lie", one ? "it" : "them"));
 }
 
-surfels::Substance substanceOf(const Scene& scene, std::size_t object, bool hasInside) {
+bool isPorous(const Scene& scene, std::size_t object) {
+  const std::optional<OpaqueMaterial>& opaque = scene.objects[object].opaque;
+  return opaque && (opaque->alphaCutoff > 0 || scene::letsLightThrough(scene, object));
+}
+
+std::vector<bool> porousObjects(const Scene& scene) {
+  std::vector<bool> porous;
+  porous.reserve(scene.objects.size());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) porous.push_back(isPorous(scene, i));
+  return porous;
+}
+
+surfels::Substance substanceOf(const Object& object, bool isPorous, bool hasInside) {
   using surfels::Substance;
-  const Object& its = scene.objects[object];
-  if (its.isGround) return Substance::Other;
-  if (!its.opaque) return hasInside ? Substance::Medium : Substance::Other;
-  const bool hasHoles = its.opaque->alphaCutoff > 0;
-  const bool isSheet = !hasInside || hasHoles || scene::letsLightThrough(scene, object);
-  return isSheet ? Substance::Sheet : Substance::Solid;
+  if (object.isGround) return Substance::Other;
+  if (!object.opaque) return hasInside ? Substance::Medium : Substance::Other;
+  return isPorous || !hasInside ? Substance::Sheet : Substance::Solid;
 }
 
 // Whether clips may move parts of an object apart. Deformers move all of space.
@@ -97,11 +107,14 @@ Insides findInsides(const Scene& scene, const scene::MergedMesh& merged, const L
 
 Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
                   bool keepsOverlaps, const LogCallback& log) {
+  std::vector<bool> porous = porousObjects(scene);
   std::vector<surfels::Substance> substances;
   substances.reserve(merged.triangles.size());
-  for (std::size_t t = 0; t < merged.triangles.size(); ++t)
+  for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
+    const std::uint32_t object = merged.objectOfTriangle[t];
     substances.push_back(
-        substanceOf(scene, merged.objectOfTriangle[t], insides.triangleHasInside[t]));
+        substanceOf(scene.objects[object], porous[object], insides.triangleHasInside[t]));
+  }
   std::vector<bool> boundsMedium;
   boundsMedium.reserve(substances.size());
   for (std::size_t t = 0; t < substances.size(); ++t)
@@ -109,12 +122,17 @@ Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Ins
                            !clipsBend(scene, merged.objectOfTriangle[t]));
   Within within{{scene::bodiesOf(merged), substances}, {scene::bodiesOf(merged), boundsMedium}};
   within.overlapAtRest = within.overlaps.any();
+  within.isPorous = std::move(porous);
   if (keepsOverlaps) within.overlaps = {};
   std::vector<std::string_view> sheets;
   for (const std::uint32_t body : within.linings.sheetsInside())
     sheets.emplace_back(scene.objects[merged.firstObjectOfBody[body]].name);
   noteSheetsInside(sheets, log);
   return within;
+}
+
+bool stillHolds(const Within& within, const Scene& scene) {
+  return within.isPorous.empty() || within.isPorous == porousObjects(scene);
 }
 
 }  // namespace opaline

@@ -25,11 +25,16 @@ struct Within {
   surfels::Linings linings;    ///< surfaces of opaque things
   surfels::Overlaps overlaps;  ///< of parts of one body, unless surfels cover these too
   bool overlapAtRest = false;  ///< some do at rest
+  std::vector<bool> isPorous;  ///< by object: it is opaque and has holes or lets light through
 };
 
 /// Finds it. Logs things that lie in a body but cannot end its light. Parts that clips bend may
 /// move apart and have no overlaps. `keepsOverlaps`: as in SceneNeeds.
 Within findWithin(const Scene& scene, const scene::MergedMesh& merged, const Insides& insides,
                   bool keepsOverlaps, const LogCallback& log);
+
+/// Whether it still holds after edits of materials: a solid may have become a sheet, or the
+/// reverse.
+bool stillHolds(const Within& within, const Scene& scene);
 
 }  // namespace opaline

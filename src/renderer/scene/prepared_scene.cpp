@@ -25,7 +25,7 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
                             EditedScene& scene) {
   const Lighting& lighting = scene.lighting();
   const SceneNeeds needs = needsOf(options, plan, scene);
-  if (!resources_ || resources_->needs != needs)
+  if (!resources_ || resources_->needs != needs || hasOtherSolids(scene))
     make(scene, needs, options.site);
   else
     followMedia(scene, patient);
@@ -114,6 +114,10 @@ void PreparedScene::followLights(std::uint32_t lights) {
 
 void PreparedScene::orderDivision(const EditedScene& scene) {
   if (resources_->needs.maxSurfels) wanted_ = orderFor(device_, scene.scene(), *resources_);
+}
+
+bool PreparedScene::hasOtherSolids(const EditedScene& scene) const {
+  return media_ != scene.changes().media && !stillHolds(resources_->within, scene.scene());
 }
 
 bool PreparedScene::isProvisional() const {

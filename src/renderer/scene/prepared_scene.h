@@ -55,6 +55,7 @@ class PreparedScene {
   void make(EditedScene& scene, const SceneNeeds& needs, Site site);
   void followMedia(EditedScene& scene, bool patient);
   void followLights(std::uint32_t lights);
+  bool hasOtherSolids(const EditedScene& scene) const;
   void orderDivision(const EditedScene& scene);
   void layFlat(int mapSize);
 

@@ -89,7 +89,10 @@ void gatherLeaf(uint i) {
   if (tree.ofShape) strength.rgb = vec3(entering);
   uvec2 counts = unpackPointCounts(strength.w);
   vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
-  if (tree.scattersOnce) shares = vec3[2](cluster.second.rgb, vec3(0.0));
+  if (tree.scattersOnce) {
+    shares[0] = cluster.second.rgb;
+    counts[1] = 0u;
+  }
 
   vec3 power = vec3(0.0);
   mat3 weighted = mat3(0.0);

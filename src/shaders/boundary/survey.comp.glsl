@@ -27,6 +27,7 @@ layout(std430, set = 0, binding = 7) buffer Meetings { Meeting meetings[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares[]; };
 
 layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
+layout(std430, set = 0, binding = 12) buffer SkySums { SkySum skySums[]; };  // over earlier rays
 
 layout(constant_id = 0) const uint withThinParts = 0u;
 layout(constant_id = 1) const uint withPaint = 0u;
@@ -36,6 +37,8 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
   uint raysOutwards;  // of each cluster
   uint nodeCount;     // of all surfels' trees
+  uint firstRay;      // of those that are sent now
+  uint endRay;
 };
 
 // Part of the light that is followed to its second collision. Where little of it scatters again,
@@ -110,18 +113,6 @@ float densityOfRays(vec3 direction, float cosine) {
   return density + float(bright) * above / brightSky.light.y;
 }
 
-// Sums over rays outwards.
-struct SkySum {
-  vec3 free;
-  vec3 all;       // over all rays, as if they were free
-  float freeEven;  // for even light
-  float allEven;
-  float slant;     // free light times its cosine inside
-  float nearness;  // one over the distance to what rays meet, 1/mm
-  float meets;
-  float closeEven;  // even light that is hidden by something within closeInEdges
-};
-
 // A ray outwards, and the light from its direction that enters.
 struct RayOutwards {
   vec3 origin;
@@ -158,10 +149,11 @@ RayOutwards rayOutwards(uint i, uint k, Cluster cluster, ClusterRange range, Obj
 // How far interpolation between clusters reaches, rounded up.
 const float closeInEdges = 3.0;
 
+const SkySum noSky = SkySum(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
+
 void addFree(vec3 part, RayOutwards ray, inout SkySum sum) {
-  sum.free += ray.radiance * part;
+  sum.free += vec4(ray.radiance * part, ray.entering * (part.r + part.g + part.b) / 3.0);
   sum.slant += dot(ray.radiance, part) * cosineInside(ray.eta, ray.cosine);
-  sum.freeEven += ray.entering * (part.r + part.g + part.b) / 3.0;
 }
 
 // Adds what comes from behind thin parts of bodies along some of the lane's rays: those in `thin`, a bit for each.
@@ -173,31 +165,30 @@ void lookThrough(uvec2 thin, uint i, uint lane, Cluster cluster, ClusterRange ra
     uint word = thin.x != 0u ? 0u : 1u;
     uint bit = findLSB(thin[word]);
     thin[word] &= thin[word] - 1u;
-    RayOutwards ray = rayOutwards(i, lane + (32u * word + bit) * lanes, cluster, range, own);
+    RayOutwards ray = rayOutwards(i, firstRay + lane + (32u * word + bit) * lanes, cluster, range, own);
     RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
     addFree(throughBodies(ray.origin, ray.direction, hit, least, 3e38, scene), ray, sum);
   }
 }
 
-// Sums every `lanes`-th ray of the cluster, from `lane` on.
+// Sums every `lanes`-th ray of the cluster that is sent now, from `lane` on.
 SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   float least = rayStartOf(cluster);
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
-  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  SkySum sum = noSky;
   uvec2 thin = uvec2(0u);  // rays that meet what light may get through
-  for (uint k = lane; k < raysOutwards; k += lanes) {
+  for (uint k = firstRay + lane; k < endRay; k += lanes) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
     if (range.kind == lining) continue;  // within a body
     RayOutwards ray = rayOutwards(i, k, cluster, range, own);
     if (ray.cosine <= 0.0) continue;
     RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
-    sum.all += ray.radiance;
-    sum.allEven += ray.entering;
+    sum.all += vec4(ray.radiance, ray.entering);
     if (hit.piece == noPiece) {
       addFree(vec3(1.0), ray, sum);
     } else {
-      uint turn = k / lanes;
+      uint turn = (k - firstRay) / lanes;
       if (withThinParts != 0u && isThinAt(hit)) thin[turn / 32u] |= 1u << turn % 32u;
       sum.nearness += 1.0 / max(hit.distance, least);
       sum.meets += 1.0;
@@ -220,10 +211,13 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
 }
 
 SkySum sumOfLanes(SkySum part) {
-  vec4 free = sumOfLanes(vec4(part.free, part.freeEven));
-  vec4 all = sumOfLanes(vec4(part.all, part.allEven));
   vec4 others = sumOfLanes(vec4(part.slant, part.nearness, part.meets, part.closeEven));
-  return SkySum(free.rgb, all.rgb, free.w, all.w, others.x, others.y, others.z, others.w);
+  return SkySum(sumOfLanes(part.free), sumOfLanes(part.all), others.x, others.y, others.z, others.w);
+}
+
+SkySum together(SkySum a, SkySum b) {
+  return SkySum(a.free + b.free, a.all + b.all, a.slant + b.slant, a.nearness + b.nearness, a.meets + b.meets,
+                a.closeEven + b.closeEven);
 }
 
 RayHit otherSide(vec3 place, vec3 direction, Cluster cluster, ObjectData body) {
@@ -266,8 +260,8 @@ const float leastOpenness = 1e-3;
 
 // Almost 0 for a cluster that sees next to nothing of the sky because something lies very close.
 float opennessOf(SkySum sum) {
-  float close = sum.closeEven / max(sum.allEven, 1e-30);
-  float free = sum.freeEven / max(sum.allEven, 1e-30);
+  float close = sum.closeEven / max(sum.all.w, 1e-30);
+  float free = sum.free.w / max(sum.all.w, 1e-30);
   return mix(1.0, leastOpenness, smoothstep(0.6, 0.9, close) * (1.0 - smoothstep(0.02, 0.1, free)));
 }
 
@@ -277,9 +271,9 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofTh
   float mean = insideOf(body).sigma.w;
   bool looks = raysOutwards > 0u && range.kind != lining;
   float light = sum.free.r + sum.free.g + sum.free.b;
-  float evenShare = sum.allEven > 0.0 ? sum.freeEven / sum.allEven : 0.0;
+  float evenShare = sum.all.w > 0.0 ? sum.free.w / sum.all.w : 0.0;
   // Any share is right in a channel that is dark.
-  vec3 share = mix(vec3(evenShare), overOr0(sum.free, sum.all), greaterThan(sum.all, vec3(1e-30)));
+  vec3 share = mix(vec3(evenShare), overOr0(sum.free.rgb, sum.all.rgb), greaterThan(sum.all.rgb, vec3(1e-30)));
   if (!looks) share = vec3(raysOutwards > 0u ? 0.0 : 1.0);
   float openness = opennessOf(sum);
   skyShares[i] = vec4(share, openness * (sum.all.r + sum.all.g + sum.all.b));
@@ -300,17 +294,21 @@ void main() {
   Cluster cluster = clusters[min(i, clusterCount - 1u)];
   ClusterRange range = ranges[min(i, clusterCount - 1u)];
   ObjectData body = objects[range.object];
-  // Rays inwards come first: Mesa's software device ends all loops of an invocation after 65,535 rounds together.
-  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
-  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
-  // The last lane has the fewest rays outwards.
-  bool puts = isThere && lane == lanes - 1u;
-  float thickness = puts ? thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body)) : 0.0;
-  SkySum sum = SkySum(vec3(0.0), vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+  SkySum sum = noSky;
   if (isThere) sum = lookAround(i, lane, cluster, range);
   sum = sumOfLanes(sum);
+  if (isThere && firstRay > 0u) sum = together(skySums[i], sum);
+  // The last lane has the fewest rays outwards.
+  bool puts = isThere && lane == lanes - 1u;
+  if (endRay < raysOutwards) {
+    if (puts) skySums[i] = sum;
+    return;
+  }
+  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
+  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
+  float thickness = puts ? thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body)) : 0.0;
   // With this, all that can enter of even light does, from wherever it comes.
-  float whole = pi * insideOf(body).extinction.w / max(sum.allEven, 1e-30);
+  float whole = pi * insideOf(body).extinction.w / max(sum.all.w, 1e-30);
   if (isThere && raysToBright() > 0u)
     for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
   if (puts) put(i, cluster, range, thickness, ofThickness, sum);

@@ -10,6 +10,9 @@ layout(local_size_x = 32) in;
 layout(std430, set = 0, binding = 0) buffer Frame { FrameData frame; };
 layout(std430, set = 0, binding = 1) readonly buffer Bounds { uint bounds[6]; };
 
+// Stands in for lengths of 0, mm: shorter than any scene.
+const float leastLength = 1e-20;
+
 // Texels that percentage-closer filtering reaches beyond the receiver's own.
 const float filterBorder = 3.0;
 
@@ -74,7 +77,7 @@ void fitDirectional(uint light, Box box) {
   vec2 y = extent(box, basis.up);
   vec2 z = extent(box, basis.forward);
   vec3 size = vec3(x.y - x.x, y.y - y.x, z.y - z.x);
-  float slack = 1e-3 * max(max(size.x, size.y), max(size.z, 1e-6));
+  float slack = 1e-3 * max(max(size.x, size.y), max(size.z, leastLength));
   x = widened(x, slack + size.x * filterBorder / mapSize);
   y = widened(y, slack + size.y * filterBorder / mapSize);
   z = widened(z, slack);
@@ -125,7 +128,7 @@ void fitPoint(uint light, Box box) {
   float diagonal = distance(box.low, box.high);
   float away = distanceTo(box, position);
   // A face's depth is at least 1/√3 of the distance, and half of it in a cone of 50°.
-  float near = max(max(0.5 * away, 1e-3 * diagonal), 1e-6);
+  float near = max(max(0.5 * away, 1e-3 * diagonal), leastLength);
   bool one = kind.z == 1u;
   float tangent = one ? frame.lights[light].cone.z : 1.0;
   vec3 only = frame.lights[light].axis.xyz;
@@ -157,10 +160,10 @@ void fitPoint(uint light, Box box) {
 void fitParallelCamera(Box box) {
   vec3 axis = frame.cameraAxis.xyz;
   float plane = frame.worldToClip[3][2];
-  float slack = max(1e-3 * distance(box.low, box.high), 1e-6);
+  float slack = max(1e-3 * distance(box.low, box.high), leastLength);
   vec2 scene = widened(extent(box, axis), slack);
   float near = frame.cameraAxis.w != 0.0 ? plane : max(plane, scene.x);
-  float depth = max(scene.y, near + slack) - near;
+  float depth = max(scene.y - near, slack);
   vec4 row = vec4(-axis, near + depth) / depth;
   for (int column = 0; column < 4; ++column) frame.worldToClip[column][2] = row[column];
 }
@@ -173,7 +176,7 @@ void fitCamera(Box box) {
   float diagonal = distance(box.low, box.high);
   float away = frame.cameraAxis.w != 0.0 ? 0.0 : distanceTo(box, frame.cameraPosition.xyz);
   // Depth is reversed and a float, so it is as exact however near the plane is.
-  float near = max(0.5 * away, max(1e-6 * diagonal, 1e-6));
+  float near = max(max(0.5 * away, 1e-6 * diagonal), leastLength);
   frame.worldToClip[3][2] = near;
 }
 

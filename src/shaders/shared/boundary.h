@@ -210,6 +210,16 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// Sums over a cluster's rays outwards.
+struct SkySum {
+  vec4 free;        // what gets here of the sky's light; w: of even light
+  vec4 all;         // the same as if nothing were in its way
+  float slant;      // free light times its cosine inside
+  float nearness;   // one over the distance to what rays meet, 1/mm
+  float meets;      // number of rays that meet anything
+  float closeEven;  // even light that is hidden by something within a few edges of the cluster
+};
+
 /// Where the sky is brighter than its mean (environment/bright_directions.h).
 OPALINE_BOUNDARY_CONSTANT brightDirections = 256u;
 struct BrightSky {
