@@ -81,9 +81,9 @@ class OPALINE_API Renderer {
   /// Edits of the scene, from the next submitted frame on. Each remakes only what depends on it:
   /// nothing for a time, a camera, deformers, or a light that moves or changes its power; tables
   /// for ambient light; the division into surfels for a medium; and never the mesh. An environment
-  /// counts as changed if it is another object. Lights, a camera and media that differ from those
-  /// of the scene as it was set no longer follow its clips. These calls throw Error or UsageError
-  /// as setScene() does.
+  /// counts as changed if it is another object. Lights and materials that differ from those of the
+  /// scene as it was set do not follow its clips, nor does a camera once it was given another
+  /// place. These calls throw Error or UsageError as setScene() does.
   void setTime(const SceneTime& time);
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);

@@ -228,8 +228,24 @@ Lighting lightingAt(const Scene& scene, const SceneTime& time) {
   return lighting;
 }
 
-void stopMaterial(Scene& scene, std::size_t object) {
+MaterialClips::MaterialClips(const Scene& scene) : changes_(scene.changes) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    if (scene::changesMaterial(scene, i)) materials_[i] = materialOf(scene.objects[i]);
+}
+
+void MaterialClips::follow(std::size_t object, Scene& scene) const {
+  const auto as = materials_.find(object);
+  if (as == materials_.end()) return;
   scene::forgetMaterial(scene.changes, object);
+  if (materialOf(scene.objects[object]) != as->second) return;
+  const auto recall = [&](const auto& had, auto& has) {
+    for (const auto& keys : had)
+      if (keys.index == object) has.push_back(keys);
+  };
+  for (std::size_t clip = 0; clip < changes_.size(); ++clip) {
+    recall(changes_[clip].surfaces, scene.changes[clip].surfaces);
+    recall(changes_[clip].media, scene.changes[clip].media);
+  }
 }
 
 void stopLights(Scene& scene) {

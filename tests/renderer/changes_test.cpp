@@ -130,6 +130,29 @@ TEST_F(ChangesTest, ALightThatIsAsItWasSetFollowsItsClipAgain) {
   EXPECT_EQ(renderer_.render(options()).images[0].rgba, expected.rgba);
 }
 
+TEST_F(ChangesTest, AMaterialThatIsAsItWasSetFollowsItsClipAgain) {
+  Medium dark = scene_.objects[0].medium;
+  dark.sigmaAPerMm = {1, 1, 1};
+  OpaqueMaterial red = *scene_.objects[1].opaque;
+  red.baseColor = {1, 0, 0};
+  scene_.changes.resize(1);
+  scene_.changes[0].media = {{0, {0, 2}, {scene_.objects[0].medium, dark}}};
+  scene_.changes[0].surfaces = {{1, {0, 2}, {*scene_.objects[1].opaque, red}}};
+  const Image expected = picture(scene_, 1);
+  renderer_.setScene(scene_);
+  renderer_.setTime({1, 0});
+  const auto give = [&](const Medium& medium, const OpaqueMaterial& opaque) {
+    renderer_.setMedium(0, medium);
+    Material plate = materialOf(scene_.objects[1]);
+    plate.opaque = opaque;
+    renderer_.setMaterial(1, plate);
+    return renderer_.render(options()).images[0];
+  };
+  EXPECT_NE(give(dark, red).rgba, expected.rgba);
+  const Image back = give(scene_.objects[0].medium, *scene_.objects[1].opaque);
+  EXPECT_EQ(back.rgba, expected.rgba);
+}
+
 TEST_F(ChangesTest, WhatIsEditedFollowsNoClipAnyMore) {
   scene_.changes.resize(1);
   scene_.changes[0].points = {{0, {0, 2}, {scene_.lighting.points[0], {{0, 0, 30}, {1, 1, 1}}}}};

@@ -39,6 +39,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   lightingAsSet_ = scene.lighting;
   lightingAsSet_.environment.reset();
   try {
+    materialClips_ = MaterialClips(scene);
     origin_ = originFor(*scene_);
     for (Object& object : scene_->objects) seeFrom(origin_, object.mesh);
     merged_ = scene::mergedMesh(*scene_);
@@ -147,8 +148,7 @@ void EditedScene::setMedium(std::size_t object, const Medium& medium) {
   requireObject(object, scene().objects.size());
   Medium given = medium;
   edit().objects[object].medium = std::move(given);
-  scene::forgetMaterial(scene_->changes, object);
-  ++changes_.media;
+  followMaterial(object);
 }
 
 void EditedScene::setMaterial(std::size_t object, const Material& material) {
@@ -159,8 +159,12 @@ void EditedScene::setMaterial(std::size_t object, const Material& material) {
                                  present.name, present.opaque ? "opaque" : "translucent"));
   validate(present.name, material);
   giveMaterial(material, edit().objects[object]);
-  scene::forgetMaterial(scene_->changes, object);
+  followMaterial(object);
+}
+
+void EditedScene::followMaterial(std::size_t object) {
   ++changes_.media;
+  materialClips_.follow(object, *scene_);
 }
 
 void EditedScene::setDeformers(const std::vector<Deformer>& deformers) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "environment/suns.h"
+#include "opaline/moment.h"
 #include "opaline/scene.h"
 #include "renderer/motion/scene_motion.h"
 #include "renderer/scene/scene_changes.h"
@@ -88,11 +89,14 @@ class EditedScene {
   void addSuns(const Lighting& given, const Suns& suns, Lighting& all) const;
   bool movesWithTime() const;
   void followClip();
+  void followMaterial(std::size_t object);
 
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
-  Lighting lightingAsSet_;  // without the environment; clips move lights that are still the same
+  // Clips change what is as it was set.
+  Lighting lightingAsSet_;  // without the environment
+  MaterialClips materialClips_;
   Vec3 origin_{};
   Suns suns_;
   Lighting lighting_;

@@ -47,6 +47,32 @@ TEST(StageTest, WithoutASceneBeforeThereIsNone) {
   EXPECT_FALSE(stage.hasScene());
 }
 
+// As when the edit is undone.
+TEST(StageTest, AMaterialThatIsAsItWasFollowsItsClipAgain) {
+  Renderer renderer;
+  RenderNotes notes;
+  Stage stage(renderer, renderer.vulkanDevice(), notes);
+  Session session = litCube();
+  const Medium own = session.scene.objects[0].medium;
+  Medium dark = own;
+  dark.sigmaAPerMm = {1, 1, 1};
+  session.scene.clips = {{"go", 2, {}}};
+  session.scene.changes.resize(1);
+  session.scene.changes[0].media = {{0, {0, 2}, {own, dark}}};
+  session.time = {.seconds = 1, .clip = 0};
+  stage.setScene(session.scene, {});
+  const Image moved = exitanceOf(stage, session);
+  const auto edited = [&](const Medium& medium) {
+    session.scene.objects[0].medium = medium;
+    session.edits.material[0] = true;
+    return exitanceOf(stage, session);
+  };
+  EXPECT_NE(edited(dark).rgba, moved.rgba);
+  EXPECT_TRUE(session.scene.changes[0].media.empty());
+  EXPECT_EQ(edited(own).rgba, moved.rgba);
+  EXPECT_EQ(session.scene.changes[0].media.size(), 1U);
+}
+
 // Where the budget leaves surfels larger than the medium asks for, fewer would cost more.
 TEST(SessionTest, IsDividedCoarselyWhereSurfelsMayBeLarger) {
   RenderOptions options;

@@ -34,16 +34,17 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   restMs_ = 0;
   restSurfels_ = 0;
   notes_.clear();
+  const auto set = [&](const Scene& shown) {
+    renderer_.setScene(shown);
+    materialClips_ = MaterialClips(shown);
+    hasScene_ = true;
+  };
   try {
-    renderer_.setScene(scene);
+    set(scene);
   } catch (const Error&) {
-    if (hadScene) {
-      renderer_.setScene(before);
-      hasScene_ = true;
-    }
+    if (hadScene) set(before);
     throw;
   }
-  hasScene_ = true;
 }
 
 // Hands the session's edits to the renderer, and returns what changes.
@@ -63,7 +64,7 @@ Edits Stage::handOver(Session& session) {
   for (std::size_t i = 0; i < session.edits.material.size(); ++i) {
     if (!session.edits.material[i]) continue;
     renderer_.setMaterial(i, materialOf(scene.objects[i]));
-    stopMaterial(session.scene, i);
+    materialClips_.follow(i, session.scene);
   }
   session.suns = renderer_.suns();
   Edits handedOver = std::exchange(session.edits, {});

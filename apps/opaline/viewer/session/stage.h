@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "opaline/moment.h"
 #include "opaline/renderer.h"
 #include "opaline/vulkan.h"
 #include "viewer/picture/host_picture.h"
@@ -100,6 +101,7 @@ class Stage {
   RenderNotes& notes_;
   const bool apart_;  // the window has its own device
   bool hasScene_ = false;
+  MaterialClips materialClips_;  // of the scene that the renderer was given
   bool divided_ = false;
   View view_;
   std::optional<View> coarseView_;  // on a coarse division; none until something moves
