@@ -266,8 +266,8 @@ struct Clusters {
   Beams fromLights;                ///< of a few lights at a time
   Beams fromEverywhere;
   gpu::Buffer mirrored;    ///< shared::Mirrored per cluster and light, of a few lights at a time
-  gpu::Buffer peaks;       ///< largest power of `mirrored`, as a float's bits, at the first of the
-                           ///< lights
+  gpu::Buffer peaks;       ///< see shared::peaksOfMirrored; the power of `mirrored` at the first of
+                           ///< the lights
   gpu::Buffer sums;        ///< of `mirrored`, three integers per cluster; 0 between lights
   gpu::Buffer guidedSums;  ///< of guided light, three integers per cluster: for lights, then for
                            ///< light from everywhere
@@ -286,6 +286,8 @@ struct Clusters {
   gpu::Buffer entered;   ///< vec4 per cluster: irradiance of the diffuse light that entered last
   gpu::Buffer fromAfar;  ///< the part of it that comes from afar; none for one body alone
   gpu::Buffer enteredBefore;  ///< the same for the light before that, if it is mirrored to one side
+  gpu::Buffer enteredInAll;   ///< vec4 per translucent cluster: irradiance of all that has entered
+  gpu::Buffer mostEntered;    ///< the largest of these, three floats' bits; 0 before any bounce
   gpu::Buffer power;   ///< vec4: of all diffuse light of the last bounce but one; then the factor
                        ///< that further bounces add to the last
   gpu::Buffer latest;  ///< vec4 per cluster: exitance of the light that entered last

@@ -44,6 +44,24 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
   }
 }
 
+// A block bent until it lies in itself. Where its surface is inside out, the solution has no
+// meaning; but light that enters again and again may not grow without end. Each of the five times
+// it adds no more than all there is.
+TEST_F(BoundaryAwkwardTest, ABlockBentIntoItselfDoesNotGlow) {
+  const Medium thin{"thin", {0.082F, 0.116F, 0.067F}, {0.0044F, 0.00026F, 0.0015F}, 1.1};
+  Scene scene = sceneOf(box({0, 0, 0}, {10, 5, 5}, 4), thin, {0, 8, 60}, 20);
+  scene.deformers = {{DeformerKind::Bend, 1.83F, 0}};
+  constexpr auto unitFlux = std::numbers::inv_pi_v<float>;
+  scene.lighting.ambient = {unitFlux, unitFlux, unitFlux};
+  const Image found = renderBoundary(scene, boundaryOptions(32, 4), {Aov::Exitance}).images[0];
+  float most = 0;
+  forEachCovered(found, [&](std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c) most = std::max(most, found.rgba[i + c]);
+  });
+  EXPECT_GT(most, 0.5);
+  EXPECT_LT(most, 5);
+}
+
 // Six square faces of two triangles each, hundreds of mean free paths wide, brightly lit from
 // behind. The far side is in even light and acts as a half-space, whatever the shapes of its
 // clusters. Its reflectance is in the project's table slab_mc.csv, "inf", diffuse, marble red and

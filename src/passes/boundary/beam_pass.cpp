@@ -144,7 +144,7 @@ void BeamPass::makeCoefficients(gpu::Device& device, Clusters& clusters) {
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
-  if (wanted.bounces) commands.fill({clusters.peaks}, 0);
+  commands.fill({clusters.peaks}, 0);
   clearGuided(commands, inputs.tables, clusters);
   const std::uint32_t atOnce = clusters.fromLights.room;
   for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {

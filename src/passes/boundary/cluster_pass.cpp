@@ -325,7 +325,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   const auto zeros = [&](const char* name, std::size_t words) {
     return gpu::makeBuffer(device, name, std::vector<std::uint32_t>(words, 0), clusterBuffer);
   };
-  clusters.peaks = zeros("peaks of mirrored light", shared::maxLights);
+  static_assert(shared::maxLights <= shared::peaksOfMirrored);
+  constexpr std::size_t irradiances = 2 + std::size_t{shared::maxLights};
+  clusters.peaks = zeros("peaks of clusters", shared::peaksOfMirrored + 3 * irradiances);
   clusters.sums = zeros("sums of mirrored light", 4 * count);
   clusters.guidedSums = makeRoom<std::uint32_t>(device, "sums of guided light", 6 * count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
@@ -341,6 +343,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   if (surfels.firstOfObject.size() > 2)
     clusters.fromAfar = makeRoom<shared::vec4>(device, "diffuse light from afar", count);
   clusters.enteredBefore = makeRoom<shared::vec4>(device, "diffuse light that entered", count);
+  clusters.enteredInAll = makeRoom<shared::vec4>(device, "all light that entered", count);
   clusters.power = makeRoom<shared::vec4>(device, "power of a bounce", 1);
   clusters.nearby = makeRoom<shared::vec4>(device, "nearby exitances", count);
   clusters.latest = makeRoom<shared::vec4>(device, "latest exitances", count);

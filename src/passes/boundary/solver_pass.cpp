@@ -131,7 +131,9 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .clusterPaints = tables.paint.clusters,
                  .bareLights = clusters.bareLights,
                  .entries = clusters.entries,
-                 .nearby = clusters.nearby},
+                 .nearby = clusters.nearby,
+                 .enteredInAll = clusters.enteredInAll,
+                 .peaks = clusters.peaks},
                 {.clusterCount = clusters.count,
                  .solution = order.solution,
                  .adds = order.adds,
@@ -152,7 +154,8 @@ void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
                  .entered = clusters.entered,
                  .powerBefore = clusters.power,
                  .exitances = clusters.exitances,
-                 .bareLights = clusters.bareLights},
+                 .bareLights = clusters.bareLights,
+                 .peaks = clusters.peaks},
                 {.clusterCount = clusters.count});
   commands.dispatchLinear(groupSize);
   commands.endPass();

@@ -7,10 +7,13 @@
 #define BINDING_PIECE_CORNERS 3
 #define BINDING_RAYS 4
 #define BINDING_CLUSTER_PAINTS 15
+#define BINDING_PEAKS 12
+#define PEAKS_WRITTEN
 #include "lib/frame.glsl"
 #include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
+#include "lib/peaks.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
@@ -23,7 +26,6 @@ layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths
 
 layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
-layout(std430, set = 0, binding = 12) buffer Peaks { uint peaks[]; };  // of lights
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
 layout(std430, set = 0, binding = 16) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
@@ -224,8 +226,9 @@ void main() {
     entries[light * clusterCount + i].irradiance = entry.irradiance;
   }
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
+  vec3 share = everywhere ? skyShares[i].rgb : vec3(1.0);
+  noteEntered(everywhere ? ofEverywhere : ofFirstLight + light, share * entry.irradiance.rgb);
   if (everywhere) {
-    vec3 share = skyShares[i].rgb;
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
     power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));
   }

@@ -6,10 +6,12 @@
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_PAINTS 10
+#define BINDING_PEAKS 15
 #include "lib/boundary.glsl"
 #include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
 #include "lib/painted_cluster.glsl"
+#include "lib/peaks.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Basis { vec4 basis[]; };
@@ -22,6 +24,8 @@ layout(std430, set = 0, binding = 9) writeonly buffer EnteredBefore { vec4 enter
 layout(std430, set = 0, binding = 11) buffer BareLights { BareLight bareLights[]; };
 layout(std430, set = 0, binding = 12) readonly buffer Entries { Entry entries[]; };
 layout(std430, set = 0, binding = 13) buffer Nearby { vec4 nearby[]; };
+
+layout(std430, set = 0, binding = 14) buffer EnteredInAll { vec4 enteredInAll[]; };  // of light with that before
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -62,12 +66,28 @@ vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   return leavesLayer(bare, enters, paint.leaving.rgb, paint.deep.rgb, paint.takenOff.rgb, ofEntered);
 }
 
-// What would leave a half-space of all light that has entered here.
-vec3 leavesNearby(uint i, BoundaryMedium medium) {
+vec3 irradianceAt(uint i) {
   vec3 all = isDiffuse != 0u ? entered[i].rgb : vec3(0.0);
   for (uint light = 0u; light < lights; ++light) all += entries[light * clusterCount + i].irradiance.rgb;
-  if (isPaintedCluster(i)) all *= clusterPaints[i].entering.rgb;
-  return medium.reflected.rgb * all;
+  return all;
+}
+
+// What would leave a half-space.
+vec3 leavesNearby(uint i, vec3 irradiance, BoundaryMedium medium) {
+  if (isPaintedCluster(i)) irradiance *= clusterPaints[i].entering.rgb;
+  return medium.reflected.rgb * irradiance;
+}
+
+// Curved surfaces may gather a lamp's light inside.
+const float gathers = 4.0;
+
+// What may leave anywhere at most: what enters where most does. Where a surface that was bent too far lies in itself,
+// light would grow without end.
+vec3 mostThatLeaves() {
+  if (adds != 0u) return mostEntered(inAll);
+  vec3 most = isDiffuse != 0u ? mostEntered(ofEverywhere) : vec3(0.0);
+  for (uint light = 0u; light < lights; ++light) most += gathers * mostEntered(ofFirstLight + light);
+  return most;
 }
 
 void main() {
@@ -77,6 +97,7 @@ void main() {
     latest[i] = vec4(0.0);
     enteredBefore[i] = vec4(0.0);
     exitances[i] = vec4(0.0);
+    enteredInAll[i] = vec4(0.0);
     return;
   }
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
@@ -90,9 +111,13 @@ void main() {
   else
     leaves += enters;
   leaves = max(leaves, vec3(0.0));
+  vec3 before = adds != 0u ? exitances[i].rgb : vec3(0.0);
+  leaves = min(leaves, max(mostThatLeaves() - before, vec3(0.0)));
   latest[i] = vec4(leaves, 0.0);
-  nearby[i] = vec4(leavesNearby(i, medium) + (adds != 0u ? nearby[i].rgb : vec3(0.0)),
+  vec3 irradiance = irradianceAt(i);
+  enteredInAll[i] = vec4(irradiance + (adds != 0u ? enteredInAll[i].rgb : vec3(0.0)), 0.0);
+  nearby[i] = vec4(leavesNearby(i, irradiance, medium) + (adds != 0u ? nearby[i].rgb : vec3(0.0)),
                    1.0 / max(clusters[i].start.w, 1e-6));
   enteredBefore[i] = isDiffuse != 0u ? oneSided(clusters[i]) * entered[i] : vec4(0.0);
-  exitances[i] = vec4(adds != 0u ? exitances[i].rgb + leaves : leaves, 0.0);
+  exitances[i] = vec4(before + leaves, 0.0);
 }

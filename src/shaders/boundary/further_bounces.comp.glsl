@@ -2,9 +2,11 @@
 // geometric series. For opaque bodies opaque.comp adds it. One work group.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_PEAKS 6
 #include "lib/group_sum.glsl"
 #include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
+#include "lib/peaks.glsl"
 #include "lib/pi.glsl"
 #include "shared/boundary.h"
 #include "shared/paint.h"
@@ -46,10 +48,11 @@ void main() {
   memoryBarrierBuffer();
   barrier();
   if (gl_LocalInvocationIndex == 0u) powerBefore = vec4(series, 0.0);
+  vec3 most = mostEntered(inAll);
   for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x) {
     if (clusters[i].centroidArea.w == 0.0) continue;
     vec3 before = exitances[i].rgb;
-    vec3 after = before + latest[i].rgb * series;
+    vec3 after = min(before + latest[i].rgb * series, max(most, before));
     exitances[i].rgb = after;
     if (withPaint == 0u) continue;
     vec3 more = mix(vec3(1.0), overOr0(after, before), greaterThan(before, vec3(0.0)));

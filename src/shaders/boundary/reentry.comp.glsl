@@ -6,6 +6,7 @@
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_PAINTS 10
 #define BINDING_PEAKS 12
+#define PEAKS_WRITTEN
 #define BINDING_SUMS 13
 #include "lib/diffuse_power.glsl"
 #include "lib/linear.glsl"
@@ -20,6 +21,7 @@ layout(std430, set = 0, binding = 7) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer FromAfar { vec4 fromAfar[]; };
+layout(std430, set = 0, binding = 14) readonly buffer EnteredInAll { vec4 enteredInAll[]; };
 
 layout(constant_id = 1) const uint withOthers = 0u;  // 1: entered_around.comp.glsl adds light from afar
 
@@ -60,6 +62,7 @@ void main() {
     if (firstLight > 0u) power += arrived[i].rgb;
     if (area > 0.0) sum += power / area;
   }
+  noteEntered(inAll, ranges[i].kind == opaqueBody ? sum : sum + enteredInAll[i].rgb);
   entered[i] = vec4(sum - far, 0.0);
   if (withOthers != 0u) fromAfar[i] = vec4(far, 0.0);
   strengths[i].rgb = diffusePower(i, cluster, insideOf(objects[ranges[i].object]), sum);

@@ -1,10 +1,9 @@
 // Light mirrored on arrival, added up where it enters. Needs BINDING_PEAKS and BINDING_SUMS.
 #ifndef OPALINE_LIB_MIRRORED_SUMS
 #define OPALINE_LIB_MIRRORED_SUMS
+#include "lib/peaks.glsl"
 #include "lib/whole_sums.glsl"
 
-layout(std430, set = 0, binding = BINDING_PEAKS) readonly buffer Peaks { uint peaks[]; };  // for the first of the lights
-                                                                                           // that are found together
 layout(std430, set = 0, binding = BINDING_SUMS) buffer Sums { uint sums[]; };  // three per cluster
 
 // A cluster's power from lights that were found together, `clusters` times each. The sums are 0 again afterwards.

@@ -210,6 +210,10 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// Numbers of all clusters are kept as the bits of floats: for each light the largest power of
+/// mirrored light, and then, three channels each, the largest irradiances of lib/peaks.glsl.
+OPALINE_BOUNDARY_CONSTANT peaksOfMirrored = 32u;
+
 /// Sums over a cluster's rays outwards.
 struct SkySum {
   vec4 free;        // what gets here of the sky's light; w: of even light
