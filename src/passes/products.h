@@ -287,7 +287,6 @@ struct Clusters {
   gpu::Buffer fromAfar;  ///< the part of it that comes from afar; none for one body alone
   gpu::Buffer enteredBefore;  ///< the same for the light before that, if it is mirrored to one side
   gpu::Buffer enteredInAll;   ///< vec4 per translucent cluster: irradiance of all that has entered
-  gpu::Buffer mostEntered;    ///< the largest of these, three floats' bits; 0 before any bounce
   gpu::Buffer power;   ///< vec4: of all diffuse light of the last bounce but one; then the factor
                        ///< that further bounces add to the last
   gpu::Buffer latest;  ///< vec4 per cluster: exitance of the light that entered last

@@ -32,6 +32,12 @@ bool canKeep(const Clusters& clusters) {
   return !clusters.haveLinings && !areInParts(clusters) && clusters.groupCount <= mostGroups;
 }
 
+// Where loops end early, an invocation has no more paths than can be followed in any body.
+std::uint32_t sharersOf(const gpu::Device& device) {
+  constexpr std::uint32_t mostPaths = 6;
+  return device.workGroups().loopsEnd ? shared::pathsOfBeam / mostPaths : shared::pathsOfBeam;
+}
+
 }  // namespace
 
 struct BeamPass::Spreading {
@@ -93,12 +99,6 @@ VariantsOfTwo<shaders::BoundaryBeams> BeamPass::makeTrace(gpu::Device& device, b
             {.withPaint = withPaint, .withLinings = withLinings, .withThinParts = withThinParts}};
   };
   return {{make(false, false), make(false, true)}, {make(true, false), make(true, true)}};
-}
-
-// Where loops end early, an invocation has no more paths than can be followed in any body.
-std::uint32_t sharersOf(const gpu::Device& device) {
-  constexpr std::uint32_t mostPaths = 6;
-  return device.workGroups().loopsEnd ? shared::pathsOfBeam / mostPaths : shared::pathsOfBeam;
 }
 
 BeamPass::BeamPass(gpu::Device& device)
