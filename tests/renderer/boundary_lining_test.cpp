@@ -152,11 +152,20 @@ struct Pictures {
   }
 };
 
-Pictures underSky(Scene scene, const std::function<void(Renderer&)>& edit = {}) {
+void lightBySky(Scene& scene) {
   scene.lighting = {};
   scene.lighting.environment = slopingSky();
+}
+
+RenderOptions optionsWith(int maxClusters) {
   RenderOptions options = boundaryOptions(40);
-  options.maxClusters = 2048;
+  options.maxClusters = maxClusters;
+  return options;
+}
+
+Pictures underSky(Scene scene, const std::function<void(Renderer&)>& edit = {}) {
+  lightBySky(scene);
+  const RenderOptions options = optionsWith(2048);
   Renderer& renderer = *sharedRenderer().renderer;
   renderer.setScene(scene);
   if (edit) edit(renderer);
@@ -235,10 +244,8 @@ TEST_F(BoundaryLiningTest, GoesWithWhatMoves) {
 // What lets light through ends none, and edits may turn one into the other.
 TEST_F(BoundaryLiningTest, ComesAndGoesWithTheMaterial) {
   Scene scene = ballAround(coreOf(sphere({0, 0, 0}, coreMm, 3), {0, 0, 0}));
-  scene.lighting = {};
-  scene.lighting.environment = slopingSky();
-  RenderOptions options = boundaryOptions(40);
-  options.maxClusters = 512;
+  lightBySky(scene);
+  const RenderOptions options = optionsWith(512);
   Renderer& renderer = *sharedRenderer().renderer;
   renderer.setScene(scene);
   const Image solid = renderer.render(options).images[0];

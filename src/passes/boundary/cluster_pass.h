@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
@@ -12,8 +11,6 @@
 #include "shaders/boundary/enclose.comp.h"
 #include "shaders/boundary/entries.comp.h"
 #include "shaders/boundary/survey.comp.h"
-#include "surfels/clusters.h"
-#include "surfels/surfels.h"
 
 namespace opaline::gpu {
 class Device;
@@ -21,23 +18,11 @@ class Device;
 
 namespace opaline::passes {
 
-/// The roles of a scene's parts in boundary transport.
-struct BodyKinds {
-  std::vector<bool> triangleHasInside;  ///< of all objects
-  std::vector<bool> objectIsOpaque;
-  std::uint32_t firstLining = ~0U;  ///< first triangle of the linings, which come last
-};
-
 /// Updates the places at which boundary transport is solved for a frame: their shape, the light
 /// that enters, the body's thickness and what they see of the scene.
 class ClusterPass {
  public:
   explicit ClusterPass(gpu::Device& device);
-
-  /// For set-up, not for frames.
-  static Clusters makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
-                               const core::RestSurface& surface,
-                               const surfels::SurfelDivision& surfels, const BodyKinds& kinds);
 
   struct ShapeInputs {
     DeformedMesh& mesh;

@@ -14,7 +14,7 @@
 #include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/clusters.h"
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
@@ -226,8 +226,8 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
     if (division.order.clustersOfBody[body].bothSides)
       object.backClusters = (made.firstOfObject[body + 1] - made.firstOfObject[body]) / 2;
   }
-  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
-                                                         kindsOf(resources));
+  resources.clusters =
+      passes::makeClusters(device, made, surface, division.surfels, kindsOf(resources));
   resources.solver =
       passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }

@@ -7,7 +7,6 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "paper/technique.h"
-#include "passes/boundary/cluster_pass.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
 #include "renderer/scene/insides.h"

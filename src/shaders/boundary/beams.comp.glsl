@@ -227,7 +227,7 @@ void main() {
   }
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   vec3 share = everywhere ? skyShares[i].rgb : vec3(1.0);
-  noteEntered(everywhere ? ofEverywhere : ofFirstLight + light, share * entry.irradiance.rgb);
+  noteEntered(everywhere ? peakOfEverywhere : peakOfFirstLight + light, share * entry.irradiance.rgb);
   if (everywhere) {
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
     power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));

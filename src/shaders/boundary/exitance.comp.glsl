@@ -23,7 +23,7 @@ layout(std430, set = 0, binding = 8) readonly buffer Entered { vec4 entered[]; }
 layout(std430, set = 0, binding = 9) writeonly buffer EnteredBefore { vec4 enteredBefore[]; };
 layout(std430, set = 0, binding = 11) buffer BareLights { BareLight bareLights[]; };
 layout(std430, set = 0, binding = 12) readonly buffer Entries { Entry entries[]; };
-layout(std430, set = 0, binding = 13) buffer Nearby { vec4 nearby[]; };
+layout(std430, set = 0, binding = 13) writeonly buffer Nearby { vec4 nearby[]; };
 
 layout(std430, set = 0, binding = 14) buffer EnteredInAll { vec4 enteredInAll[]; };  // of light with that before
 
@@ -66,7 +66,8 @@ vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   return leavesLayer(bare, enters, paint.leaving.rgb, paint.deep.rgb, paint.takenOff.rgb, ofEntered);
 }
 
-vec3 irradianceAt(uint i) {
+// The irradiance that has entered with this light.
+vec3 enteredNow(uint i) {
   vec3 all = isDiffuse != 0u ? entered[i].rgb : vec3(0.0);
   for (uint light = 0u; light < lights; ++light) all += entries[light * clusterCount + i].irradiance.rgb;
   return all;
@@ -84,9 +85,9 @@ const float gathers = 4.0;
 // What may leave anywhere at most: what enters where most does. Where a surface that was bent too far lies in itself,
 // light would grow without end.
 vec3 mostThatLeaves() {
-  if (adds != 0u) return mostEntered(inAll);
-  vec3 most = isDiffuse != 0u ? mostEntered(ofEverywhere) : vec3(0.0);
-  for (uint light = 0u; light < lights; ++light) most += gathers * mostEntered(ofFirstLight + light);
+  if (adds != 0u) return mostEntered(peakOfAll);
+  vec3 most = isDiffuse != 0u ? mostEntered(peakOfEverywhere) : vec3(0.0);
+  for (uint light = 0u; light < lights; ++light) most += gathers * mostEntered(peakOfFirstLight + light);
   return most;
 }
 
@@ -114,10 +115,9 @@ void main() {
   vec3 before = adds != 0u ? exitances[i].rgb : vec3(0.0);
   leaves = min(leaves, max(mostThatLeaves() - before, vec3(0.0)));
   latest[i] = vec4(leaves, 0.0);
-  vec3 irradiance = irradianceAt(i);
-  enteredInAll[i] = vec4(irradiance + (adds != 0u ? enteredInAll[i].rgb : vec3(0.0)), 0.0);
-  nearby[i] = vec4(leavesNearby(i, irradiance, medium) + (adds != 0u ? nearby[i].rgb : vec3(0.0)),
-                   1.0 / max(clusters[i].start.w, 1e-6));
+  vec3 all = enteredNow(i) + (adds != 0u ? enteredInAll[i].rgb : vec3(0.0));
+  enteredInAll[i] = vec4(all, 0.0);
+  nearby[i] = vec4(leavesNearby(i, all, medium), 1.0 / max(clusters[i].start.w, 1e-6));
   enteredBefore[i] = isDiffuse != 0u ? oneSided(clusters[i]) * entered[i] : vec4(0.0);
   exitances[i] = vec4(before + leaves, 0.0);
 }

@@ -48,7 +48,7 @@ void main() {
   memoryBarrierBuffer();
   barrier();
   if (gl_LocalInvocationIndex == 0u) powerBefore = vec4(series, 0.0);
-  vec3 most = mostEntered(inAll);
+  vec3 most = mostEntered(peakOfAll);
   for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x) {
     if (clusters[i].centroidArea.w == 0.0) continue;
     vec3 before = exitances[i].rgb;

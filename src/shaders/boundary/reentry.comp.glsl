@@ -62,7 +62,7 @@ void main() {
     if (firstLight > 0u) power += arrived[i].rgb;
     if (area > 0.0) sum += power / area;
   }
-  noteEntered(inAll, ranges[i].kind == opaqueBody ? sum : sum + enteredInAll[i].rgb);
+  noteEntered(peakOfAll, ranges[i].kind == opaqueBody ? sum : sum + enteredInAll[i].rgb);
   entered[i] = vec4(sum - far, 0.0);
   if (withOthers != 0u) fromAfar[i] = vec4(far, 0.0);
   strengths[i].rgb = diffusePower(i, cluster, insideOf(objects[ranges[i].object]), sum);

@@ -10,11 +10,6 @@ layout(std430, set = 0, binding = BINDING_PEAKS) buffer Peaks { uint peaks[]; };
 layout(std430, set = 0, binding = BINDING_PEAKS) readonly buffer Peaks { uint peaks[]; };
 #endif
 
-// Which irradiance that entered.
-const uint inAll = 0u;  // known after a bounce
-const uint ofEverywhere = 1u;
-const uint ofFirstLight = 2u;  // those of others follow
-
 vec3 mostEntered(uint which) {
   uint at = peaksOfMirrored + 3u * which;
   return vec3(uintBitsToFloat(peaks[at]), uintBitsToFloat(peaks[at + 1u]), uintBitsToFloat(peaks[at + 2u]));

@@ -211,8 +211,12 @@ struct Meeting {
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
 /// Numbers of all clusters are kept as the bits of floats: for each light the largest power of
-/// mirrored light, and then, three channels each, the largest irradiances of lib/peaks.glsl.
+/// mirrored light, and then, three channels each, the largest irradiances that entered: after a
+/// bounce that of all light, of light from everywhere, and of each light (lib/peaks.glsl).
 OPALINE_BOUNDARY_CONSTANT peaksOfMirrored = 32u;
+OPALINE_BOUNDARY_CONSTANT peakOfAll = 0u;
+OPALINE_BOUNDARY_CONSTANT peakOfEverywhere = 1u;
+OPALINE_BOUNDARY_CONSTANT peakOfFirstLight = 2u;
 
 /// Sums over a cluster's rays outwards.
 struct SkySum {
