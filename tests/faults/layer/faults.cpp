@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <map>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "state.h"
 
@@ -25,9 +27,11 @@ PFN_vkDestroyDevice nextDestroyDevice = nullptr;
 PFN_vkGetPhysicalDeviceProperties nextGetProperties = nullptr;
 PFN_vkGetPhysicalDeviceProperties2 nextGetProperties2 = nullptr;
 std::atomic<VkDevice> device = VK_NULL_HANDLE;  // the latest device
+std::mutex queueMutex;  // the program synchronizes its queues, but not with the layer's waits
 
 void waitForDevice() {
   if (device == VK_NULL_HANDLE) return;
+  const std::lock_guard lock(queueMutex);
   const auto wait =
       reinterpret_cast<PFN_vkDeviceWaitIdle>(nextOfDevice(device, "vkDeviceWaitIdle"));
   wait(device);
@@ -41,6 +45,8 @@ struct Failing<VkResult(VKAPI_PTR*)(Arguments...), call> {
   static VKAPI_ATTR VkResult VKAPI_CALL run(Arguments... arguments) {
     if (state().fails(call, waitForDevice)) return state().result();
     const auto next = reinterpret_cast<VkResult(VKAPI_PTR*)(Arguments...)>(call.next);
+    std::unique_lock lock(queueMutex, std::defer_lock);
+    if constexpr ((std::is_same_v<Arguments, VkQueue> || ...)) lock.lock();
     const VkResult result = next(arguments...);
     if (result >= 0 && call.living != nullptr) ++*call.living;
     return result;

@@ -39,7 +39,8 @@ class State {
 
   void arm(VkResult result, std::uint64_t nth, const char* function);
 
-  /// Counts a call and says whether it must fail. `lose` is called before the device is lost.
+  /// Counts a call and says whether it must fail. `lose` is called before a call says that the
+  /// device is lost: its work must not outlive what it uses, and nobody can wait for it any more.
   template <typename Lose>
   bool fails(const Call& call, const Lose& lose) {
     const std::lock_guard lock(mutex_);
@@ -47,11 +48,10 @@ class State {
     if (!function_.empty() && function_ != call.name) return false;
     ++calls_;
     if (nth_ == 0 || calls_ < nth_) return false;
-    if (calls_ > nth_) return result_ == VK_ERROR_DEVICE_LOST;
-    faulted_ = call.name;
-    // Work of the device must not outlive what it uses.
-    if (result_ == VK_ERROR_DEVICE_LOST) lose();
-    return true;
+    const bool lost = result_ == VK_ERROR_DEVICE_LOST;
+    if (calls_ == nth_) faulted_ = call.name;
+    if (lost) lose();
+    return lost || calls_ == nth_;
   }
 
   VkResult result() const { return result_; }
