@@ -106,14 +106,15 @@ void requireSound(const Camera& camera) {
 
 }  // namespace
 
-Box boxOf(const Scene& scene) {
+namespace {
+
+template <typename Counts>
+Box boxWhere(const Scene& scene, const Counts& counts) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const bool onlyGround = std::all_of(scene.bodies.begin(), scene.bodies.end(),
-                                      [](const Body& body) { return body.isGround; });
   Box box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
   bool any = false;
   for (const Body& body : scene.bodies) {
-    if (body.isGround && !onlyGround) continue;
+    if (!counts(body)) continue;
     for (const Vector& p : body.positionsMm) {
       any = true;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -123,6 +124,18 @@ Box boxOf(const Scene& scene) {
     }
   }
   return any ? box : Box{};
+}
+
+}  // namespace
+
+Box boxOf(const Scene& scene) {
+  const bool onlyGround = std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                                      [](const Body& body) { return body.isGround; });
+  return boxWhere(scene, [&](const Body& body) { return onlyGround || !body.isGround; });
+}
+
+Box boxOfMedia(const Scene& scene) {
+  return boxWhere(scene, [](const Body& body) { return !body.opaque; });
 }
 
 bool hasMedia(const Scene& scene) {

@@ -46,6 +46,8 @@ struct Box {
   double diagonalMm() const { return length(maxMm - minMm); }
 };
 Box boxOf(const Scene& scene);
+/// The same for bodies of media alone.
+Box boxOfMedia(const Scene& scene);
 
 /// Whether light enters any body.
 bool hasMedia(const Scene& scene);

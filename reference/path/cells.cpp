@@ -14,6 +14,7 @@ namespace opaline::reference {
 namespace {
 
 constexpr std::size_t mostParts = 64'000'000;
+constexpr double mostPartsOfGround = 16;  // along the edge of a triangle
 
 /// A part's row and column in the triangle's grid, and whether it is upside down. Weights 1 and 2
 /// are the coordinates.
@@ -75,20 +76,21 @@ std::uint32_t Cells::partOf(std::uint32_t edgeParts, const std::array<double, 3>
   return indexOf(part, edgeParts);
 }
 
-Cells::Cells(const Scene& scene, double edgeMm) {
+Cells::Cells(const Scene& scene, double edgeMm, Of of) {
   const Box box = boxOf(scene);
   std::unordered_map<CubeKey, std::uint32_t, CubeHash> known;
   std::uint32_t number = 0;
   for (const Body& body : scene.bodies) {
     std::vector<Division>& divisions = divisions_.emplace_back();
     for (const Triangle& t : body.triangles) {
-      if (body.opaque) break;
+      if (body.opaque.has_value() != (of == Of::Opaque)) break;
       const Vector& a = body.positionsMm[t[0]];
       const Vector ab = body.positionsMm[t[1]] - a;
       const Vector ac = body.positionsMm[t[2]] - a;
       const double longest = std::max({length(ab), length(ac), length(ac - ab)});
       const Vector areaVector = cross(ab, ac);
-      const double parts = std::max(std::ceil(2 * longest / edgeMm), 1.0);
+      const double wanted = std::max(std::ceil(2 * longest / edgeMm), 1.0);
+      const double parts = body.isGround ? std::min(wanted, mostPartsOfGround) : wanted;
       if (static_cast<double>(cellOfPart_.size()) + parts * parts > mostParts)
         throw Error(fmt::format(
             "cells of {:.3g} mm are too small for so large a surface; make them larger", edgeMm));

@@ -8,12 +8,13 @@
 
 namespace opaline::reference {
 
-/// Pieces of the surface of media on which leaving light is counted. Triangles larger than a cell
-/// are divided into equal parts. Parts in one cube of that edge count as one cell if their normals
-/// are nearest to the same axis.
+/// Pieces of the surfaces of media, or of opaque bodies, on which light is counted. Triangles
+/// larger than a cell are divided into equal parts. Parts in one cube of that edge count as one
+/// cell if their normals are nearest to the same axis. Far out on a ground, cells are larger.
 class Cells {
  public:
-  Cells(const Scene& scene, double edgeMm);
+  enum class Of { Media, Opaque };
+  Cells(const Scene& scene, double edgeMm, Of of);
 
   std::size_t count() const { return areasMm2_.size(); }
   double areaMm2(std::size_t cell) const { return areasMm2_[cell]; }

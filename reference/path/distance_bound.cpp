@@ -53,13 +53,6 @@ class LineTransform {
   std::vector<double> borders_;
 };
 
-Box boxOfMedia(const Scene& scene) {
-  Scene media;
-  for (const Body& body : scene.bodies)
-    if (!body.opaque) media.bodies.push_back({body.positionsMm, {}, {}, {}});
-  return boxOf(media);
-}
-
 }  // namespace
 
 DistanceBound::DistanceBound(const Scene& scene) {

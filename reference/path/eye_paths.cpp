@@ -81,8 +81,19 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
   }
   OpaqueSurface surface = opaqueSurfaceAt(body, point);
   if (first && !options_.specular) surface = withoutMirror(surface);
-  return {point, Reflection(surface, sides.normal, sides.outside, toEye), surface.emission,
-          surface.occlusion, surface.unlit};
+  return opaqueVertex(point, surface, surface.emission, toEye);
+}
+
+// Light that arrives straight through a medium is known from the particles as well.
+EyePaths::Vertex EyePaths::opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
+                                        const Colour& emission, const Vector& toEye) const {
+  const Sides sides = sidesOf(geometry_.scene().bodies[point.body], point, toEye);
+  Vertex vertex{point, Reflection(surface, sides.normal, sides.outside, toEye), emission,
+                surface.occlusion, surface.unlit};
+  if (!vertex.ends)
+    vertex.own += vertex.reflection.ofDiffuse(tracer_.straightThrough(point, sides.outside),
+                                              tracer_.straightThrough(point, -sides.outside));
+  return vertex;
 }
 
 // The light of all lights, by one sample each.
@@ -133,12 +144,10 @@ Colour EyePaths::radiance(const SurfacePoint& point, const Vector& toEye, Random
 }
 
 Colour EyePaths::exitance(const SurfacePoint& point, const Vector& toEye, Random& random) const {
-  const Body& body = geometry_.scene().bodies[point.body];
-  const Sides sides = sidesOf(body, point, toEye);
-  const OpaqueSurface surface = withoutMirror(opaqueSurfaceAt(body, point));
-  const Vertex vertex{
-      point, Reflection(surface, sides.normal, sides.outside, toEye), {}, surface.occlusion};
-  return pi * follow(vertex, random);
+  OpaqueSurface surface =
+      withoutMirror(opaqueSurfaceAt(geometry_.scene().bodies[point.body], point));
+  surface.unlit = false;
+  return pi * follow(opaqueVertex(point, surface, {}, toEye), random);
 }
 
 }  // namespace opaline::reference

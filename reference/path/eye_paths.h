@@ -35,6 +35,8 @@ class EyePaths {
     double occlusion = 1;  ///< factor on light that does not come straight from a light
     bool ends = false;     ///< light that arrives does not matter
   };
+  Vertex opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
+                      const Colour& emission, const Vector& toEye) const;
   Vertex vertexAt(const SurfacePoint& point, const Vector& toEye, bool first) const;
   Colour follow(Vertex vertex, Random& random) const;
   Colour lightAt(const Vertex& vertex, Random& random) const;

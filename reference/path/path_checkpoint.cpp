@@ -89,6 +89,7 @@ std::uint64_t PathTracer::fingerprint() const {
   print.add(options_.coneDegrees);
   if (options_.coneDegrees > 0) print.add(geometry_.scene().camera.positionMm);
   print.add(cells_.count());
+  print.add(opaqueCells_.count());
   return print.value();
 }
 

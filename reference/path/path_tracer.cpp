@@ -63,6 +63,30 @@ std::vector<double> seenAreas(const Cells& cells, const Scene& scene, double con
   return areas;
 }
 
+// As fine as the shadows of media need, and no more than there is room for.
+double opaqueCellEdgeMm(const Scene& scene) {
+  constexpr double ofScene = 1.0 / 400;
+  constexpr double ofMedia = 1.0 / 100;
+  constexpr double mostCells = 16e6;
+  double squares = 0;
+  for (const Body& body : scene.bodies) {
+    if (!body.opaque || body.isGround) continue;
+    for (const Triangle& t : body.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector edge = body.positionsMm[t[i]] - body.positionsMm[t[(i + 1) % 3]];
+        squares += dot(edge, edge);
+      }
+  }
+  return std::max({ofScene * boxOf(scene).diagonalMm(), ofMedia * boxOfMedia(scene).diagonalMm(),
+                   2 * std::sqrt(squares / mostCells)});
+}
+
+// Nothing arrives straight through a medium where there is none.
+Cells opaqueCells(const Scene& scene) {
+  const Scene nothing;
+  return {hasMedia(scene) ? scene : nothing, opaqueCellEdgeMm(scene), Cells::Of::Opaque};
+}
+
 }  // namespace
 
 double cellEdgeMm(const Scene& scene) {
@@ -81,12 +105,14 @@ PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
     : geometry_(geometry),
       options_(options),
       bound_(geometry.scene()),
-      cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene())),
+      cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene()),
+             Cells::Of::Media),
+      opaqueCells_(opaqueCells(geometry.scene())),
       emitters_{Emitter(geometry, 0), Emitter(geometry, 1), Emitter(geometry, 2)},
       seenMm2_(seenAreas(cells_, geometry.scene(), options.coneDegrees)),
       interiors_{interiorsOf(geometry.scene(), 0), interiorsOf(geometry.scene(), 1),
                  interiorsOf(geometry.scene(), 2)},
-      counts_(3 * orders * cells_.count()) {
+      counts_(3 * (orders * cells_.count() + sides * opaqueCells_.count())) {
   if (options.bounces < 0) throw UsageError("the number of bounces must be at least 0");
 }
 
@@ -94,11 +120,16 @@ void PathTracer::follow(std::size_t channel, std::uint64_t particle) {
   Random random(options_.seed * 3 + channel, particle);
   const Walk walk(geometry_, bound_, interiors_[channel], options_.bounces, channel);
   const Flight flight = emitters_[channel].emit(random);
-  const End end = walk.follow(flight, random, [&](const Leaving& leaving) {
-    if (!isCounted(leaving)) return;
-    counts_[slot(channel, leaving.order, cells_.at(leaving.point))].fetch_add(
-        1, std::memory_order_relaxed);
-  });
+  const auto count = [&](std::size_t slot) {
+    counts_[slot].fetch_add(1, std::memory_order_relaxed);
+  };
+  const auto leave = [&](const Leaving& leaving) {
+    if (isCounted(leaving)) count(slot(channel, leaving.order, cells_.at(leaving.point)));
+  };
+  const auto arrive = [&](const Arriving& arriving) {
+    count(slotOfArrival(channel, arriving.point, -arriving.direction));
+  };
+  const End end = walk.follow(flight, random, leave, arrive);
   if (end == End::Lost) lost_[channel].fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -138,6 +169,22 @@ Exitance PathTracer::exitanceOfCell(std::size_t cell) const {
     exitance.error[c] = std::sqrt(count) * fluxOfParticle(c) / area;
   }
   return exitance;
+}
+
+std::size_t PathTracer::slotOfArrival(std::size_t channel, const SurfacePoint& point,
+                                      const Vector& outside) const {
+  const std::size_t side = dot(point.facetNormal, outside) < 0 ? 1 : 0;
+  return 3 * orders * cells_.count() + (channel * sides + side) * opaqueCells_.count() +
+         opaqueCells_.at(point);
+}
+
+Colour PathTracer::straightThrough(const SurfacePoint& point, const Vector& outside) const {
+  Colour irradiance{};
+  if (opaqueCells_.count() == 0) return irradiance;
+  const double area = std::max(opaqueCells_.areaMm2(opaqueCells_.at(point)), 1e-300);
+  for (std::size_t c = 0; c < 3; ++c)
+    irradiance[c] = counts_[slotOfArrival(c, point, outside)] * fluxOfParticle(c) / area;
+  return irradiance;
 }
 
 double PathTracer::leftFlux(int channel, Order order) const {

@@ -36,9 +36,9 @@ double cellEdgeMm(const Scene& scene);
 
 /// Volumetric light transport by particles from the lights. Each is followed through bodies, and
 /// from one to another, until it is absorbed or leaves the scene. It is counted wherever it leaves
-/// a body that it had entered. Counts are whole numbers of particles of equal flux, so the result
-/// depends on the seed and the number of particles, not on threads. The only bias is due to the
-/// size of the cells.
+/// a body that it had entered, and wherever it arrives at an opaque body straight through a medium.
+/// Counts are whole numbers of particles of equal flux, so the result depends on the seed and the
+/// number of particles, not on threads. The only bias is due to the size of the cells.
 class PathTracer {
  public:
   /// The geometry's scene must outlive it.
@@ -59,6 +59,10 @@ class PathTracer {
   Exitance exitanceOfCell(std::size_t cell) const;
   Exitance exitance(const SurfacePoint& point) const { return exitanceOfCell(cells_.at(point)); }
 
+  /// The irradiance of light that arrives at an opaque body, straight through a medium, on the side
+  /// that `outside` points to.
+  Colour straightThrough(const SurfacePoint& point, const Vector& outside) const;
+
   /// All counts, to continue at another time. restore() throws Error unless they are from the same
   /// scene and options.
   std::vector<std::byte> save() const;
@@ -78,6 +82,7 @@ class PathTracer {
 
  private:
   static constexpr std::size_t orders = 3;
+  static constexpr std::size_t sides = 2;  // of a surface
 
   std::uint64_t fingerprint() const;
   std::size_t slot(std::size_t channel, Order order, std::size_t cell) const {
@@ -86,17 +91,21 @@ class PathTracer {
   double fluxOfParticle(std::size_t channel) const;
   void follow(std::size_t channel, std::uint64_t particle);
   bool isCounted(const Leaving& leaving) const;
+  /// The place of a count of arrivals.
+  std::size_t slotOfArrival(std::size_t channel, const SurfacePoint& point,
+                            const Vector& outside) const;
 
   const Geometry& geometry_;
   PathOptions options_;
   DistanceBound bound_;
   Cells cells_;
+  Cells opaqueCells_;
   std::array<Emitter, 3> emitters_;
   std::vector<double>
       seenMm2_;  ///< per cell: its area times the share of even light that is counted
   std::array<std::vector<Interior>, 3> interiors_;
   std::uint64_t particles_ = 0;
-  std::vector<std::atomic<std::uint32_t>> counts_;
+  std::vector<std::atomic<std::uint32_t>> counts_;  ///< of cells, then of opaque ones
   std::array<std::atomic<std::uint64_t>, 3> lost_{};
 };
 

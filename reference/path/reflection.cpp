@@ -115,6 +115,13 @@ Colour Reflection::value(const Vector& toLight) const {
   return value;
 }
 
+Colour Reflection::ofDiffuse(const Colour& irradiance, const Colour& behind) const {
+  Colour sum{};
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] = irradiance[c] * diffuse_[c] + behind[c] * through_[c];
+  return sum;
+}
+
 Vector Reflection::direction(Random& random) const {
   Vector local;
   const double kind = random();

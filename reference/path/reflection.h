@@ -32,6 +32,9 @@ class Reflection {
   static Reflection ofMedium(double eta, double alpha, const Vector& normal, const Vector& outside,
                              const Vector& toEye);
 
+  /// Radiance towards the eye of light that arrives diffusely on the eye's side and on the other.
+  /// What facets mirror of it is left out.
+  Colour ofDiffuse(const Colour& irradiance, const Colour& behind) const;
   /// Radiance towards the eye per irradiance of a surface facing the light: BRDF times cosine.
   Colour value(const Vector& toLight) const;
   /// Samples a direction from which light may come; density() is per steradian.

@@ -41,6 +41,7 @@ void Walk::reflect(const Particle& particle, Random& random, std::vector<Particl
   reflectParticle(surface, channel_, normal, toLight, random, [&](const Vector& direction) {
     Particle next = particle;
     next.direction = direction;
+    next.straightThrough = false;
     others.push_back(next);
   });
 }

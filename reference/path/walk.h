@@ -45,6 +45,13 @@ struct Leaving {
   Vector direction;  ///< unit, outside
 };
 
+/// A particle that went through a body without being scattered, and arrives at an opaque one. No
+/// path from the eye finds its light.
+struct Arriving {
+  const SurfacePoint& point;
+  Vector direction;  ///< unit
+};
+
 /// How a particle's walk ended.
 enum class End {
   Away,      ///< left the scene
@@ -70,9 +77,13 @@ class Walk {
         bounces_(bounces),
         channel_(channel) {}
 
-  /// Calls `leave(Leaving)` for every time the particle leaves a body.
+  /// Calls `leave(Leaving)` for every time the particle leaves a body, and `arrive(Arriving)`.
+  template <typename Leave, typename Arrive>
+  End follow(const Flight& flight, Random& random, const Leave& leave, const Arrive& arrive) const;
   template <typename Leave>
-  End follow(const Flight& flight, Random& random, const Leave& leave) const;
+  End follow(const Flight& flight, Random& random, const Leave& leave) const {
+    return follow(flight, random, leave, [](const Arriving&) {});
+  }
 
  private:
   /// The state from which a particle continues.
@@ -84,11 +95,12 @@ class Walk {
     int met = 0;                                               ///< bodies hit so far
     double reachMm = std::numeric_limits<double>::infinity();  ///< for the first hit
     bool inside = false;                                       ///< in that surface's body
+    bool straightThrough = false;  ///< went through the last body unscattered
   };
 
   /// Follows one particle until it ends or becomes several.
-  template <typename Leave>
-  End followOne(Particle particle, Random& random, const Leave& leave,
+  template <typename Leave, typename Arrive>
+  End followOne(Particle particle, Random& random, const Leave& leave, const Arrive& arrive,
                 std::vector<Particle>& others) const;
   /// Continues light that hits an opaque surface.
   void reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const;
@@ -184,6 +196,7 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
         }
         particle.direction =
             refracted(particle.direction, -hit->point.facetNormal, 1 / interior.eta);
+        particle.straightThrough = scatterings == 0;
         leave(Leaving{hit->point,
                       scatterings == 0   ? Order::Unscattered
                       : scatterings == 1 ? Order::Single
@@ -205,8 +218,8 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
   return Inside::Lost;
 }
 
-template <typename Leave>
-End Walk::followOne(Particle particle, Random& random, const Leave& leave,
+template <typename Leave, typename Arrive>
+End Walk::followOne(Particle particle, Random& random, const Leave& leave, const Arrive& arrive,
                     std::vector<Particle>& others) const {
   while (true) {
     if (!particle.inside) {
@@ -219,6 +232,7 @@ End Walk::followOne(Particle particle, Random& random, const Leave& leave,
       particle.fromSurface = true;
       const Body& body = geometry_.scene().bodies[hit->point.body];
       if (body.opaque) {
+        if (particle.straightThrough) arrive(Arriving{hit->point, particle.direction});
         reflect(particle, random, others);
         return End::Absorbed;
       }
@@ -245,19 +259,20 @@ End Walk::followOne(Particle particle, Random& random, const Leave& leave,
   }
 }
 
-template <typename Leave>
-End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const {
+template <typename Leave, typename Arrive>
+End Walk::follow(const Flight& flight, Random& random, const Leave& leave,
+                 const Arrive& arrive) const {
   Particle first{flight.origin, flight.direction, {}, false, 0, flight.reachMm};
   if (flight.from) {
     first.surface = *flight.from;
     first.fromSurface = true;
   }
   std::vector<Particle> others;
-  End end = followOne(first, random, leave, others);
+  End end = followOne(first, random, leave, arrive, others);
   while (!others.empty()) {
     const Particle particle = others.back();
     others.pop_back();
-    const End its = followOne(particle, random, leave, others);
+    const End its = followOne(particle, random, leave, arrive, others);
     if (end != End::Lost) end = its;
   }
   return end;

@@ -15,6 +15,16 @@ struct SurfaceMaterials {
   gpu::Read texels;
 };
 
+/// What lib/light_through.glsl needs.
+struct LightThrough {
+  gpu::Texels pieceCorners;
+  gpu::TexelsOrRays rayHierarchy;
+  gpu::Read clusterPaints;
+  gpu::Read ranges;
+  gpu::Read clusterOfSurfel;
+  gpu::Texels clusters;
+};
+
 /// What lib/seen.glsl needs.
 struct SeenPlaces {
   gpu::Uniform frame;

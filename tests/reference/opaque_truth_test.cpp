@@ -201,6 +201,38 @@ TEST(OpaqueTruthTest, EmissionEntersMedia) {
   EXPECT_NEAR(leftOf(false) / leftOf(true), 1, 0.03);
 }
 
+// A dark floor under a plate that only absorbs, by Fresnel's and Beer's laws for all reflections
+// between the plate's sides.
+TEST(OpaqueTruthTest, LightGoesStraightThroughAPlate) {
+  constexpr double eta = 1.4;
+  constexpr double thickness = 1;
+  const Medium grey{"grey", {1e-6, 1e-6, 1e-6}, {0.2, 0.5, 1.2}, eta};
+  const double cosine = std::cos(50 * pi / 180);
+  Scene scene =
+      test::sceneOfBodies({test::bodyOf(test::box({0, 0, 4}, {20, 20, thickness / 2}, 4), grey),
+                           opaqueBody(square({0, 0, 0}, 12), mattMaterial({0.02F, 0.02F, 0.02F}))});
+  scene.lighting.directional = {
+      {{static_cast<float>(std::sin(50 * pi / 180)), 0, static_cast<float>(cosine)}, {1, 1, 1}}};
+  Eye eye(scene);
+  eye.tracer().run(1'500'000);
+  constexpr int across = 40;
+  Colour sum{};
+  for (int i = 0; i < across * across; ++i) {
+    const double x = 0.25 * (i % across) - 5;
+    const double y = 0.25 * (i / across) - 5;
+    sum += eye.radianceFrom({x, y, 2}, {x, y, 0}, 1);
+  }
+  const double inside = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+  const double mirrored = bssrdf::fresnelReflectance(eta, cosine);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double left = std::exp(-grey.sigmaAPerMm[c] * thickness / inside);
+    const double through =
+        (1 - mirrored) * (1 - mirrored) * left / (1 - mirrored * mirrored * left * left);
+    const double expected = 0.02 / pi * cosine * through;
+    EXPECT_NEAR(sum[c] / (across * across) / expected, 1, 0.035) << c;
+  }
+}
+
 /// A material whose left half is transparent.
 OpaqueMaterial halfCutOut() {
   TexturePixels pixels;

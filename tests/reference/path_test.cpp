@@ -334,7 +334,7 @@ TEST(PathTest, StrongForwardScatteringMeansTheSameReducedScattering) {
 TEST(CellsTest, AreasAddUpAndPointsFindTheirCell) {
   const Scene scene = sceneOf(bodyOf(test::box({0, 0, 0}, {5, 4, 3}, 2), 1, 0.1, 1.3));
   const Geometry geometry(scene);
-  const Cells cells(scene, 0.5);
+  const Cells cells(scene, 0.5, Cells::Of::Media);
   double sum = 0;
   for (std::size_t i = 0; i < cells.count(); ++i) sum += cells.areaMm2(i);
   EXPECT_NEAR(sum, 8 * (5 * 4 + 4 * 3 + 3 * 5), 1e-6);

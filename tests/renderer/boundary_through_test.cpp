@@ -1,4 +1,5 @@
-// Light that gets through a body without being scattered enters what lies behind it. The bodies in
+// Light that gets through a body without being scattered enters what lies behind it, and lights
+// opaque surfaces there. The bodies in
 // the way absorb and hardly scatter, so nothing else comes from them. The expected values are
 // Fresnel's and Beer's laws.
 
@@ -74,6 +75,68 @@ TEST_F(BoundaryThroughTest, AnAreaLightThroughAWallIsAsStrong) {
   scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), grey()});
   const std::array<double, 3> behind = exitanceOfBall(scene);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(behind[c] / open[c], through(c, 1, 1), 0.01) << c;
+}
+
+/// A dark opaque sheet below the wall, which gives back little that the wall could mirror.
+Scene floorSheet() {
+  Scene scene = sceneOf(sheet({0, 0, 0}, {16, 0, 0}, {0, 16, 0}, 16), milky(), {0, -16, 4}, 5);
+  scene.objects[0].opaque = mattMaterial({0.03F, 0.03F, 0.03F});
+  return scene;
+}
+
+/// How much less of a scene's light a floor gives back with the wall above it than without.
+std::array<double, 3> shareAtFloor(Scene scene, Site site, double cameraZ = 4) {
+  RenderOptions options = boundaryOptions(64, 1);
+  options.site = site;
+  const auto given = [&] {
+    const RenderResult result = renderBoundary(scene, options, {Aov::Exitance, Aov::Position});
+    return meanWhere(result.images[0], result.images[1],
+                     [](const Vector& at) { return length(at) < 2; });
+  };
+  scene.camera.positionMm[2] = static_cast<float>(cameraZ);
+  const std::array<double, 3> open = given();
+  scene.objects.push_back({"wall", box({0, 0, 8}, {40, 40, 0.5F}, 20), grey()});
+  std::array<double, 3> share = given();
+  for (std::size_t c = 0; c < 3; ++c) share[c] /= open[c];
+  return share;
+}
+
+TEST_F(BoundaryThroughTest, AFloorBehindAWallHasTheLightOfFresnelAndBeer) {
+  for (const double angle : {0.0, 45.0, 65.0}) {
+    const auto [sine, cosine] = std::pair(std::sin(angle * degree), std::cos(angle * degree));
+    Scene scene = floorSheet();
+    scene.lighting.directional = {
+        {{static_cast<float>(sine), 0, static_cast<float>(cosine)}, {1, 1, 1}}};
+    const std::array<double, 3> share =
+        shareAtFloor(scene, angle == 45 ? Site::Vertex : Site::Fragment);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(share[c], through(c, 1, cosine), 0.01) << angle << ' ' << c;
+  }
+}
+
+// From the height of the lamp its edge is seen at 4 degrees.
+TEST_F(BoundaryThroughTest, AFloorBehindAWallHasTheLightOfAnAreaLight) {
+  Scene scene = floorSheet();
+  scene.lighting.areas = {DiscLight{{0, 0, 140}, {0, 0, -1}, 10, {1000, 1000, 1000}}};
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    const std::array<double, 3> share = shareAtFloor(scene, site);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(share[c], through(c, 1, 1), 0.01) << c;
+  }
+}
+
+// A leaf is seen from below. Its upper side is lit through the wall.
+TEST_F(BoundaryThroughTest, ALeafBehindAWallShinesOnItsOtherSide) {
+  for (const bool area : {false, true}) {
+    Scene scene = floorSheet();
+    scene.objects[0].opaque->diffuseTransmission = 1;
+    scene.objects[0].opaque->diffuseTransmissionColor = {0.03F, 0.03F, 0.03F};
+    if (area)
+      scene.lighting.areas = {DiscLight{{0, 0, 140}, {0, 0, -1}, 10, {1000, 1000, 1000}}};
+    else
+      scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+    const std::array<double, 3> share = shareAtFloor(scene, Site::Fragment, -10);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(share[c], through(c, 1, 1), 0.01) << c;
+  }
 }
 
 // The index is low, so that the shell mirrors none of the ball's own light.

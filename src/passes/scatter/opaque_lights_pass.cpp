@@ -24,21 +24,20 @@ OpaqueLightsPass::OpaqueLightsPass(gpu::Device& device)
 void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& inputs,
                                     ScatterSite site, const Places& vertices) const {
   commands.beginPass("lights on opaque");
-  commands.bind(vertices_,
-                {.frame = inputs.frame.data,
+  commands.bind(vertices_.of(inputs.between, inputs.tables),
+                {.lightThrough = lightThrough(inputs.between, inputs.tables),
+                 .frame = inputs.frame.data,
                  .positions = vertices.positions,
                  .normals = vertices.normals,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
-                 .pieceCorners = inputs.rays.corners,
-                 .rayHierarchy = passes::rays(inputs.rays),
                  .objectOf = vertices.objectOf,
                  .irradiances = vertices.exitances},
                 {.vertexCount = vertices.count,
                  .sides = inputs.tables.sidesOfVertices(),
                  .site = site,
-                 .nodeCount = inputs.surfels.tree.nodeCount,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+                 .nodeCount = inputs.between.surfels.tree.nodeCount,
+                 .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
   commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count,
                           raysOfVertex * inputs.areaLights * roundsOfWalk);
   commands.endPass();
@@ -51,20 +50,19 @@ void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& i
   commands.beginPass("lights on opaque");
   for (const Round round : {AskingFirst, Comparing, AskingAgain, Averaging, Summing}) {
     const bool even = round % 2 == 0;
-    dispatchParts(commands, surfaces, fragments_,
+    dispatchParts(commands, surfaces, fragments_.of(inputs.between, inputs.tables),
                   {.listedPlaces = listedPlaces(seen, nearest_),
+                   .lightThrough = lightThrough(inputs.between, inputs.tables),
                    .objects = inputs.tables.objects,
                    .media = inputs.tables.media,
-                   .pieceCorners = inputs.rays.corners,
-                   .rayHierarchy = passes::rays(inputs.rays),
                    .materials = surfaces.materials,
                    .irradiances = surfaces.light,
                    .sharesBefore = surfaces.ofPixels[even ? 1 : 0],
                    .lightShares = surfaces.ofPixels[even ? 0 : 1]},
                   {.first = 0,
                    .site = site,
-                   .nodeCount = inputs.surfels.tree.nodeCount,
-                   .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                   .nodeCount = inputs.between.surfels.tree.nodeCount,
+                   .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel,
                    .firstRow = firstRow,
                    .rows = surfaces.rowsFrom(firstRow),
                    .round = round,

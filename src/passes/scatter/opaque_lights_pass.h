@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "gpu/command_list.h"
-#include "gpu/pipeline.h"
+#include "passes/light_through.h"
 #include "passes/products.h"
 #include "shaders/scatter/opaque_area_lights.comp.h"
 #include "shaders/scatter/opaque_area_vertices.comp.h"
@@ -23,8 +23,7 @@ class OpaqueLightsPass {
   struct Inputs {
     FrameView& frame;
     SceneTables& tables;
-    Surfels& surfels;
-    RayHierarchy& rays;
+    BodiesBetween between;
     std::uint32_t areaLights;  ///< how many
   };
 
@@ -40,8 +39,8 @@ class OpaqueLightsPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ScatterOpaqueAreaVertices> vertices_;
-  gpu::Compute<shaders::ScatterOpaqueAreaLights> fragments_;
+  ThroughVariants<shaders::ScatterOpaqueAreaVertices> vertices_;
+  ThroughVariants<shaders::ScatterOpaqueAreaLights> fragments_;
 };
 
 }  // namespace opaline::passes

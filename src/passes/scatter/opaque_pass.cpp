@@ -90,17 +90,21 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
 void OpaquePass::overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                               const Places& vertices) const {
   commands.beginPass("opaque");
-  commands.bind(
-      vertices_,
-      {.frame = inputs.frame.data,
-       .positions = vertices.positions,
-       .normals = vertices.normals,
-       .objects = inputs.tables.objects,
-       .media = inputs.tables.media,
-       .shadowMaps = {inputs.shadows.depth, nearest_},
-       .objectOf = vertices.objectOf,
-       .irradiances = vertices.exitances},
-      {.vertexCount = vertices.count, .sides = inputs.tables.sidesOfVertices(), .site = site});
+  commands.bind(vertices_.of(inputs.between, inputs.tables),
+                {.lightThrough = lightThrough(inputs.between, inputs.tables),
+                 .frame = inputs.frame.data,
+                 .positions = vertices.positions,
+                 .normals = vertices.normals,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .objectOf = vertices.objectOf,
+                 .irradiances = vertices.exitances},
+                {.vertexCount = vertices.count,
+                 .sides = inputs.tables.sidesOfVertices(),
+                 .site = site,
+                 .nodeCount = inputs.between.surfels.tree.nodeCount,
+                 .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
   commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count);
   commands.endPass();
 }
@@ -109,32 +113,39 @@ void OpaquePass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
                                OpaqueTables& opaque, ScatterSite site,
                                const SeenSurfaces& seen) const {
   commands.beginPass("opaque");
-  dispatchParts(commands, seen.surfaces, fragments_,
+  dispatchParts(commands, seen.surfaces, fragments_.of(inputs.between, inputs.tables),
                 {.listedPlaces = listedPlaces(seen, nearest_),
+                 .lightThrough = lightThrough(inputs.between, inputs.tables),
                  .surfaceMaterials = surfaceMaterials(opaque),
                  .irradiances = seen.surfaces.light,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .materials = seen.surfaces.materials},
-                {.first = 0, .site = site});
+                {.first = 0,
+                 .site = site,
+                 .nodeCount = inputs.between.surfels.tree.nodeCount,
+                 .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
   commands.endPass();
 }
 
 void OpaquePass::behindFragments(gpu::CommandList& commands, const Inputs& inputs,
-                                 Clusters& clusters, const SeenSurfaces& seen) const {
+                                 const SeenSurfaces& seen) const {
+  Clusters& clusters = inputs.between.clusters;
   commands.beginPass("opaque");
-  dispatchParts(commands, seen.surfaces, behind_,
+  dispatchParts(commands, seen.surfaces, behind_.of(inputs.between, inputs.tables),
                 {.listedPlaces = listedPlaces(seen, nearest_),
+                 .lightThrough = lightThrough(inputs.between, inputs.tables),
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .clusters = clusters.clusters,
                  .clusterNodes = clusters.nodes,
                  .exitances = clusters.exitances,
                  .means = clusters.means,
                  .materials = seen.surfaces.materials},
-                {.first = 0});
+                {.first = 0,
+                 .nodeCount = inputs.between.surfels.tree.nodeCount,
+                 .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
   commands.endPass();
 }
 

@@ -2,6 +2,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "passes/light_through.h"
 #include "passes/products.h"
 #include "shaders/boundary/cut_pieces.comp.h"
 #include "shaders/boundary/opaque.comp.h"
@@ -27,6 +28,7 @@ class OpaquePass {
     FrameView& frame;
     SceneTables& tables;
     ShadowMaps& shadows;
+    BodiesBetween between;
   };
 
   /// Removes pieces where opaque bodies have holes. For set-up.
@@ -53,7 +55,7 @@ class OpaquePass {
                      ScatterSite site, const SeenSurfaces& seen) const;
   /// Finds all light on the other side of surfaces that let light through, except that of area
   /// lights.
-  void behindFragments(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+  void behindFragments(gpu::CommandList& commands, const Inputs& inputs,
                        const SeenSurfaces& seen) const;
 
  private:
@@ -61,9 +63,9 @@ class OpaquePass {
   gpu::Compute<shaders::BoundaryCutPieces> cutPieces_;
   gpu::Compute<shaders::BoundaryOpaqueShares> shares_;
   gpu::Compute<shaders::BoundaryOpaque> clusters_;
-  gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;
-  gpu::Compute<shaders::ScatterOpaqueFragments> fragments_;
-  gpu::Compute<shaders::ScatterLightBehind> behind_;
+  ThroughVariants<shaders::ScatterOpaqueVertices> vertices_;
+  ThroughVariants<shaders::ScatterOpaqueFragments> fragments_;
+  ThroughVariants<shaders::ScatterLightBehind> behind_;
 };
 
 }  // namespace opaline::passes

@@ -10,12 +10,17 @@ passes::SeenSurfaces FrameContext::seen() const {
   return {resources.view, scene.mesh, resources.surfaces};
 }
 
+passes::BodiesBetween FrameContext::bodiesBetween() const {
+  return {scene.rays, scene.surfels, scene.clusters,
+          boundary() && looksThrough(plan) && resources.tables.haveThinParts};
+}
+
 passes::OpaquePass::Inputs FrameContext::ofOpaque() const {
-  return {resources.view, resources.tables, resources.shadows};
+  return {resources.view, resources.tables, resources.shadows, bodiesBetween()};
 }
 
 passes::OpaqueLightsPass::Inputs FrameContext::onOpaque() const {
-  return {resources.view, resources.tables, scene.surfels, scene.rays, plan.areaLights};
+  return {resources.view, resources.tables, bodiesBetween(), plan.areaLights};
 }
 
 passes::NearbyPass::Inputs FrameContext::nearbyInputs() const {

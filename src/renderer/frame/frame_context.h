@@ -24,6 +24,7 @@ struct FrameContext {
 
   passes::CutOuts cutOuts() const;
   passes::SeenSurfaces seen() const;
+  passes::BodiesBetween bodiesBetween() const;
   passes::OpaquePass::Inputs ofOpaque() const;
   passes::OpaqueLightsPass::Inputs onOpaque() const;
   passes::NearbyPass::Inputs nearbyInputs() const;

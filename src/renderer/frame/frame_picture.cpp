@@ -78,7 +78,7 @@ struct PictureOfFrame : FrameContext {
         passes.opaqueLights.overFragments(commands, onOpaque(), site(), Side::Seen, firstRow,
                                           seen());
       if (plan.letsThrough && atFragments()) {
-        passes.opaque.behindFragments(commands, ofOpaque(), scene.clusters, seen());
+        passes.opaque.behindFragments(commands, ofOpaque(), seen());
         if (plan.areaLights > 0)
           passes.opaqueLights.overFragments(commands, onOpaque(), site(), Side::Other, firstRow,
                                             seen());

@@ -56,6 +56,11 @@ const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 const float thinner = 0.5;
 
 #include "lib/beam_body.glsl"
+
+float windingOf(uint cluster) {
+  return clusters[cluster].along.w;
+}
+
 #include "lib/through_bodies.glsl"
 
 uint light;
@@ -195,12 +200,11 @@ Unhidden unhiddenAt(vec3 place, vec3 normal, MediumData medium) {
                     length(areaViewFrom(place, light).middle));
   IncidentLight incident = incidentLight(light, place);
   return Unhidden(incident.irradiance * enteringPart(incident, normal, normal, medium), incident.direction,
-                  isParallel(incident.kind) ? 3e38 : distance(frame.lights[light].place.xyz, place));
+                  distanceOf(incident, place));
 }
 
 // Of the light that bodies hide from the cluster, what enters after it has gone through them unscattered.
 vec3 enteringThroughBodies(Cluster cluster, Body body, MediumData medium, vec3 visible) {
-  const float leastHidden = 0.02;
   vec3 place = cluster.start.xyz;
   Unhidden all = unhiddenAt(place, cluster.facet.xyz, medium);
   float most = largestOf(all.entering);
@@ -208,7 +212,8 @@ vec3 enteringThroughBodies(Cluster cluster, Body body, MediumData medium, vec3 v
   if (most <= 0.0 || hidden < leastHidden) return vec3(0.0);
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   RayHit hit = nearestHit(place, all.direction, body.least, all.furthest, scene);
-  return hidden * all.entering * throughBodies(place, all.direction, hit, body.least, all.furthest, scene);
+  if (!isThinAt(hit)) return vec3(0.0);
+  return hidden * all.entering * throughBodies(place, all.direction, hit, body.least, all.furthest, scene).rgb;
 }
 
 void main() {
@@ -221,7 +226,7 @@ void main() {
   Entry entry = entries[light * clusterCount + i];
   Body body = bodyAt(cluster, itsBody, entry.place.xyz);
   bool everywhere = light == frame.counts.w;
-  if (withThinParts != 0u && !everywhere && ranges[i].kind == bodyWithInside) {
+  if (withThinParts != 0u && !everywhere && ranges[i].kind != lining) {
     entry.irradiance.rgb += enteringThroughBodies(cluster, body, mediumAt(itsBody, cluster.start.xyz), entry.irradiance.rgb);
     entries[light * clusterCount + i].irradiance = entry.irradiance;
   }

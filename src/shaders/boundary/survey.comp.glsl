@@ -72,6 +72,11 @@ uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
+
+float windingOf(uint cluster) {
+  return clusters[cluster].along.w;
+}
+
 #include "lib/through_bodies.glsl"
 
 struct PieceFrame {
@@ -167,7 +172,7 @@ void lookThrough(uvec2 thin, uint i, uint lane, Cluster cluster, ClusterRange ra
     thin[word] &= thin[word] - 1u;
     RayOutwards ray = rayOutwards(i, firstRay + lane + (32u * word + bit) * lanes, cluster, range, own);
     RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
-    addFree(throughBodies(ray.origin, ray.direction, hit, least, 3e38, scene), ray, sum);
+    addFree(throughBodies(ray.origin, ray.direction, hit, least, 3e38, scene).rgb, ray, sum);
   }
 }
 

@@ -53,6 +53,11 @@ bool isParallel(uint kind) {
   return kind == directionalLight;
 }
 
+// How far away from a place a light is, mm.
+float distanceOf(IncidentLight light, vec3 position) {
+  return isParallel(light.kind) ? 3e38 : distance(frame.lights[light.light].place.xyz, position);
+}
+
 bool hasOneView(LightData light) {
   return light.view.w != 0.0;
 }

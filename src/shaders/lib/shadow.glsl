@@ -26,6 +26,12 @@ vec4 litAt(LightData light, vec4 depths, float receiverMm) {
   return lit;
 }
 
+// How far from a place the shadow map is read there, mm; `away` is the distance of the light.
+float filteredOver(IncidentLight incident, float away) {
+  const float texels = 2.0;
+  return texels * frame.lights[incident.light].texel.x * (isParallel(incident.kind) ? 1.0 : away);
+}
+
 // How the depth of a plane changes from one point of the light's view to the next, relative to their
 // distance. Cube faces hold depth along their axis, so a plane that faces a point light away from
 // that axis has a slope too. With z(d) = const / n·d for rays d = (u, v, 1), |∇z| = z |n_uv| / |n·d|.

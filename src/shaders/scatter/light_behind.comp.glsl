@@ -13,9 +13,12 @@
 #define BINDING_CLUSTER_NODES 12
 #define BINDING_EXITANCES 13
 #define BINDING_MEANS 14
+#define BINDING_PIECE_CORNERS 16
+#define BINDING_RAYS 17
+#define BINDING_CLUSTER_PAINTS 18
+#define THROUGH_BINDING 19
 #include "lib/carry.glsl"
 #include "lib/frame.glsl"
-#include "lib/irradiance.glsl"
 #include "lib/material.glsl"
 #include "lib/seen_list.glsl"
 #include "shared/opaque.h"
@@ -24,7 +27,11 @@ layout(std430, set = 0, binding = 15) buffer Materials { SeenMaterial materials[
 
 layout(push_constant) uniform Push {
   uint first;
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
 };
+
+#include "lib/irradiance.glsl"
 
 void main() {
   Seen seen = seenOfInvocation(first);

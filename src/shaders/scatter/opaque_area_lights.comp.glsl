@@ -11,6 +11,8 @@
 #define BINDING_PIECE_CORNERS 6
 #define BINDING_RAYS 7
 #define MESH_BINDING 11
+#define BINDING_CLUSTER_PAINTS 16
+#define THROUGH_BINDING 17
 #include "lib/frame.glsl"
 #include "lib/area_shadow.glsl"
 #include "lib/material.glsl"
@@ -37,6 +39,7 @@ layout(push_constant) uniform Push {
   uint behind;  // 1: on the other side of surfaces that let light through
 };
 
+#include "lib/area_light_through.glsl"
 #include "lib/neighbours.glsl"
 
 // The rounds of OpaqueLightsPass.
@@ -52,10 +55,6 @@ const uint slowly = 128u;
 
 const int width = 4;  // of a window
 const uint raysAgain = 4u;
-
-uint firstPieceOf(uint object) {
-  return objects[object].table.y * piecesPerSurfel;
-}
 
 uint bitsOf(uvec4 shares, uint light) {
   return bitfieldExtract(shares[light >> 2u], int(8u * (light & 3u)), 8);
@@ -302,7 +301,8 @@ vec3 irradianceAt(Seen seen, MeshPlace place) {
     if (!view.shines) continue;
     vec3 all = frame.lights[i].power.rgb * enteringOfView(view, receiver.normal, medium);
     if (all == vec3(0.0)) continue;
-    sum += visiblePart(i - firstAreaLight(), view, receiver, seen, place, alike) * all;
+    float visible = visiblePart(i - firstAreaLight(), view, receiver, seen, place, alike);
+    sum += arrivingPartOfArea(visible, view, receiver) * all;
   }
   return sum;
 }

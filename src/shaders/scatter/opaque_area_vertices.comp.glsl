@@ -5,6 +5,8 @@
 #define BINDING_MEDIA 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
+#define BINDING_CLUSTER_PAINTS 9
+#define THROUGH_BINDING 10
 #include "lib/frame.glsl"
 #include "lib/area_shadow.glsl"
 #include "lib/linear.glsl"
@@ -26,9 +28,7 @@ layout(push_constant) uniform Push {
 
 const uint raysOfVertex = 16u;
 
-uint firstPieceOf(uint object) {
-  return objects[object].table.y * piecesPerSurfel;
-}
+#include "lib/area_light_through.glsl"
 
 void main() {
   uint at = linearIndex();
@@ -45,8 +45,9 @@ void main() {
     if (!view.shines) continue;
     Share share = Share(0.0, 0.0);
     for (uint k = 0u; k < raysOfVertex; ++k) sendRay(view, receiver, netPlace(k), nodeCount, share);
-    if (share.visible > 0.0)
-      sum += share.visible / share.all * enteringOfView(view, normal, medium) * frame.lights[i].power.rgb;
+    if (share.all > 0.0)
+      sum += arrivingPartOfArea(share.visible / share.all, view, receiver) * enteringOfView(view, normal, medium) *
+             frame.lights[i].power.rgb;
   }
   irradiances[at].rgb += sum;
 }

@@ -10,8 +10,11 @@
 #define BINDING_SEEN_LIST 10
 #define BINDING_OPAQUES 12
 #define BINDING_TEXELS 15
+#define BINDING_PIECE_CORNERS 17
+#define BINDING_RAYS 18
+#define BINDING_CLUSTER_PAINTS 19
+#define THROUGH_BINDING 20
 #include "lib/frame.glsl"
-#include "lib/irradiance.glsl"
 #include "lib/material.glsl"
 #include "lib/seen_material.glsl"
 
@@ -21,7 +24,11 @@ layout(std430, set = 0, binding = 16) writeonly buffer Materials { SeenMaterial 
 layout(push_constant) uniform Push {
   uint first;
   uint site;
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
 };
+
+#include "lib/irradiance.glsl"
 
 SeenMaterial materialSeen(Seen seen, MeshPlace place, OpaqueData material) {
   MaterialPlace read = materialPlaceSeen(seen, place, material);

@@ -5,7 +5,10 @@
 #define BINDING_OBJECTS 3
 #define BINDING_MEDIA 4
 #define SHADOW_BINDING 5
-#include "lib/irradiance.glsl"
+#define BINDING_PIECE_CORNERS 8
+#define BINDING_RAYS 9
+#define BINDING_CLUSTER_PAINTS 10
+#define THROUGH_BINDING 11
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
 #include "lib/vertex_side.glsl"
@@ -19,7 +22,11 @@ layout(push_constant) uniform Push {
   uint vertexCount;
   uint sides;  // of bodies with a back
   uint site;
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
 };
+
+#include "lib/irradiance.glsl"
 
 void main() {
   uint i = linearIndex();
