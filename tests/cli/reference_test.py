@@ -1,6 +1,7 @@
 """The reference: it shares options, pixels and variables with render, and refuses the rest."""
 
 import math
+import resource
 import shutil
 import unittest
 
@@ -174,6 +175,15 @@ class Paths(Reference):
         self.refused(1, "reference", *self.SCENE, *half, "--bounces", 0, says=("state", "other options"))
         self.write("state", "nonsense")
         self.refused(1, "reference", *self.SCENE, *half, says=("state", "no checkpoint"))
+
+    def test_a_checkpoint_without_room_costs_no_picture(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
+        whole = self.exr("reference", *self.SAMPLES)
+        self.refused(1, "reference", *self.SCENE, *self.SAMPLES, "--checkpoint", "state", "-o", "kept.exr", preexec_fn=limit,
+                     says=("--checkpoint state", "File too large"))
+        self.assertEqual(list(whole.pixels()), list(read_exr((self.folder / "kept.exr").read_bytes()).pixels()))
+        self.assertNotIn("state", self.listing())
 
     def test_says_what_it_did(self):
         run = self.succeed("reference", *self.SCENE, *self.SAMPLES, "--json", "-o", "a.exr")

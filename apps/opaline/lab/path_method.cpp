@@ -170,8 +170,9 @@ void PathMethod::resume(const PictureRun& run, rf::PathTracer& tracer) const {
   }
 }
 
-double PathMethod::trace(const PictureRun& run, const rf::BlockError& error,
-                         rf::PathTracer& tracer) const {
+// A state that cannot be saved ends no run: the picture is worth more.
+double PathMethod::trace(const PictureRun& run, const rf::BlockError& error, rf::PathTracer& tracer,
+                         std::string& unsaved) const {
   constexpr std::size_t steps = 1000;
   const rf::PathLimits ends = reference::orUsual(limits_);
   Progress progress(steps, run.quiet, "step", run.progress);
@@ -181,8 +182,14 @@ double PathMethod::trace(const PictureRun& run, const rf::BlockError& error,
   const auto file = checkpointOf(run);
   const auto save = [&] {
     if (!file) return;
-    const std::vector<std::byte> bytes = tracer.save();
-    writeWhole(*file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    try {
+      const std::vector<std::byte> bytes = tracer.save();
+      writeWhole(*file,
+                 std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+      unsaved.clear();
+    } catch (const Error& failure) {
+      unsaved = fmt::format("--checkpoint {}: {}", file->string(), failure.what());
+    }
   };
   const double reached =
       rf::runPaths(tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
@@ -209,13 +216,15 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
   const rf::CameraRays rays(geometry.scene().camera, picture.width, picture.height);
   const rf::BlockError error(tracer, geometry, rays, picture.width, picture.height);
   // Other variables show shape or what arrives, and need no particles.
-  const double reached = rf::showsExitance(picture.aov) ? trace(run, error, tracer) : 0;
+  std::string unsaved;
+  const double reached = rf::showsExitance(picture.aov) ? trace(run, error, tracer, unsaved) : 0;
 
   report["particles"] = tracer.particles();
   report["block_error"] = reached;
   report["seconds_of_tracing"] = std::chrono::duration<double>(Clock::now() - begin).count();
   report["cells"] = tracer.cells().count();
   report["bounces"] = options_.bounces;
+  report[unsavedCheckpoint] = unsaved.empty() ? Json() : Json(unsaved);
   for (int c = 0; c < 3; ++c) {
     report["emitted_flux"].push_back(tracer.emittedFlux(c));
     report["lost_share"].push_back(tracer.lostShare(c));

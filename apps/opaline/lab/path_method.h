@@ -24,6 +24,9 @@ struct PictureRun {
   LogCallback log;
 };
 
+/// In the report: why the checkpoint of a picture was not saved, or null.
+constexpr const char* unsavedCheckpoint = "unsaved_checkpoint";
+
 /// --path of the reference and the options that go with it.
 class PathMethod {
  public:
@@ -50,7 +53,7 @@ class PathMethod {
   std::optional<std::filesystem::path> checkpointOf(const PictureRun& run) const;
   void resume(const PictureRun& run, reference::PathTracer& tracer) const;
   double trace(const PictureRun& run, const reference::BlockError& error,
-               reference::PathTracer& tracer) const;
+               reference::PathTracer& tracer, std::string& unsaved) const;
 
   bool wanted_ = false;
   bool any_ = false;  ///< whether an option was given that needs --path

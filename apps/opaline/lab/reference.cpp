@@ -276,6 +276,18 @@ Json makeFrames(const ReferenceCommand& command, const ReferenceJob& job,
   return report;
 }
 
+void requireCheckpoint(const Json& picture) {
+  if (picture.contains(unsavedCheckpoint) && picture.at(unsavedCheckpoint).is_string())
+    throw Error(picture.at(unsavedCheckpoint).get<std::string>());
+}
+
+// Pictures are written first.
+void requireCheckpoints(const Json& report) {
+  requireCheckpoint(report);
+  if (!report.contains("pictures")) return;
+  for (const Json& picture : report.at("pictures")) requireCheckpoint(picture);
+}
+
 }  // namespace
 
 void runReference(const Arguments& arguments) {
@@ -295,11 +307,11 @@ void runReference(const Arguments& arguments) {
 
   ReferenceJob job = prepareReference(command, std::move(output), log);
   job.begin = begin;
-  const std::string report =
-      toText(frames ? makeFrames(command, job, command.motion.framesOfChunk(), log)
-                    : makeStill(command, job, log));
-  if (command.report) writeWhole(*command.report, report);
-  if (command.json) printOut(report);
+  const Json report = frames ? makeFrames(command, job, command.motion.framesOfChunk(), log)
+                             : makeStill(command, job, log);
+  if (command.report) writeWhole(*command.report, toText(report));
+  if (command.json) printOut(toText(report));
+  requireCheckpoints(report);
 }
 
 }  // namespace opaline::app
