@@ -59,13 +59,35 @@ vec3 throughAround(vec3 position, vec3 outside, vec3 direction, float furthest, 
   return sum.rgb / max(sum.w, leastWeight);
 }
 
+// The width and the height on the surface of what asks for light, mm: those of a pixel, or 0.
+mat2x3 extent = mat2x3(0.0);
+
+// Places in it, one in each row and column of four. The first two are opposite each other.
+const vec2 placesInExtent[4] = vec2[4](vec2(-0.125, -0.375), vec2(0.125, 0.375), vec2(0.375, -0.125), vec2(-0.375, 0.125));
+
+// They lie this part of the extent above the facet's plane, since the surface may rise beside it.
+const float aboveExtent = 0.1;
+
+// Where two places differ by more than this, two more are asked.
+const float leastDifference = 0.02;
+
 // The part of a small light that arrives, given how much of it is visible in a shadow map that is filtered over
 // `reach` mm.
 vec3 arrivingPart(float visible, vec3 position, vec3 outside, vec3 direction, float furthest, float reach) {
   if (!looksThrough(visible)) return vec3(visible);
-  vec4 through = throughFrom(position, outside, direction, furthest);
-  if (through.w == 0.0) through.rgb = throughAround(position, outside, direction, furthest, reach);
-  return visible + (1.0 - visible) * through.rgb;
+  vec3 above = aboveExtent * max(length(extent[0]), length(extent[1])) * outside;
+  vec3 sum = vec3(0.0);
+  vec3 first = vec3(0.0);
+  uint places = extent == mat2x3(0.0) ? 1u : 2u;
+  for (uint k = 0u; k < places; ++k) {
+    vec3 place = position + extent * placesInExtent[k] + above;
+    vec4 through = throughFrom(place, outside, direction, furthest);
+    if (through.w == 0.0) through.rgb = throughAround(place, outside, direction, furthest, reach);
+    sum += through.rgb;
+    if (k == 0u) first = through.rgb;
+    if (k == 1u && largestOf(abs(through.rgb - first)) > leastDifference) places = 4u;
+  }
+  return visible + (1.0 - visible) / float(places) * sum;
 }
 
 #endif

@@ -4,19 +4,12 @@
 #define OPALINE_LIB_SEEN_MATERIAL
 #include "lib/opaque_material.glsl"
 #include "lib/seen_list.glsl"
-
-// How far weights may change over a pixel where a triangle is seen edge on.
-const float furthestOverPixel = 64.0;
+#include "lib/footprint.glsl"
 
 MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place, OpaqueData material) {
   if (material.rest.z == 0.0) return plainPlace();
-  vec2 middle = middleOf(samplesOf(seen.word));
-  vec3 right = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.5, 0.0))) -
-               weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.5, 0.0)));
-  vec3 down = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.0, 0.5))) -
-              weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.0, 0.5)));
-  return materialPlaceOn(place.vertices, place.weights, clamp(right, -furthestOverPixel, furthestOverPixel),
-                         clamp(down, -furthestOverPixel, furthestOverPixel));
+  mat2x3 over = weightsOver(seen, place);
+  return materialPlaceOn(place.vertices, place.weights, over[0], over[1]);
 }
 
 // The normal that the texture gives there, on the side that is seen.

@@ -21,6 +21,7 @@
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/footprint.glsl"
 #include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 15) buffer Materials { SeenMaterial materials[]; };
@@ -39,6 +40,7 @@ void main() {
   ObjectData body = objects[place.object];
   bool here = seen.there && letsThrough(body);
   vec3 known = vec3(0.0);
+  if (here && withThinParts != 0u) extent = lengthsOver(seen, place);
   if (here)
     known = lightsIrradiance(liftedPlace(place), -materials[seen.entry].normal.xyz, place.normal,
                              mediumAt(body, place.position));

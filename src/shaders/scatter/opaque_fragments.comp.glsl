@@ -49,6 +49,7 @@ void main() {
   SeenMaterial material = materialSeen(seen, place, opaques[medium.tables.y]);
   materials[seen.entry] = material;
   if (!isSummedAtFragments(body, site)) return;
+  if (withThinParts != 0u) extent = lengthsOver(seen, place);
   vec3 found = lightsIrradiance(liftedPlace(place), material.normal.xyz, place.normal, medium);
   irradiances[seen.entry] = vec4(found, 0.0);
 }
