@@ -29,11 +29,12 @@ def by_hand():
 
 
 def words_of(command, programs, models):
-    """A command with the full paths of programs and models."""
+    """A command with the full paths of programs, scripts of the repository and models."""
     name, *arguments = shlex.split(command)
     if name == "opaline_figures":
         arguments += ["--into", "."]
-    return [str(programs.get(name, name)), *(str(models / word) if (models / word).is_file() else word for word in arguments)]
+    script = ROOT / name
+    return [str(programs.get(name, script if script.is_file() else name)), *(str(models / word) if (models / word).is_file() else word for word in arguments)]
 
 
 def convert(source, target, width=None):
@@ -70,10 +71,6 @@ def main():
             sys.exit(f"no command makes {picture}; there are {' '.join(sorted(known))}")
     binaries = arguments.build.resolve() / "bin"
     programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
-    for script in ("tools/accuracy.py", "tools/figures/hero_scene.py", "tools/figures/lampshade_scene.py", "tools/figures/stones_scene.py",
-                   "tools/figures/layers_scene.py", "tools/figures/window_pictures.py", "tools/figures/blender_pictures.py",
-                   "tools/figures/growth_figure.py"):
-        programs[script] = ROOT / script
     for _, entry in entries():
         wanted = set(entry["pictures"]) & set(arguments.pictures) if arguments.pictures else (
             arguments.all or not entry.get("long"))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "gpu/pipeline.h"
@@ -17,6 +18,12 @@ struct BodiesBetween {
   Surfels& surfels;
   Clusters& clusters;
   bool letLightThrough;  ///< some of it, unscattered
+
+  /// An upper bound of the loop rounds of an invocation that looks for one light behind them.
+  std::uint32_t rounds() const {
+    constexpr std::uint32_t mostSurfaces = 8;  // of lib/through_bodies.glsl
+    return letLightThrough ? mostSurfaces * roundsOfWalk : 1;
+  }
 };
 
 inline shaders::LightThrough lightThrough(const BodiesBetween& between, SceneTables& tables) {

@@ -1,6 +1,7 @@
 #include "scene/changes.h"
 
 #include <cmath>
+#include <optional>
 
 #include "bssrdf/profile.h"
 #include "opaline/moment.h"
@@ -95,12 +96,26 @@ double timeIn(const Scene& scene, const SceneTime& time) {
   return clipTime(scene.clips[static_cast<std::size_t>(time.clip)], time.seconds);
 }
 
+// Where one of the scene's own lights stands among those given: at its index or, if some were
+// removed before it, where an equal one is. Nowhere if it was edited.
+template <typename T>
+std::optional<std::size_t> placeOf(std::size_t index, const std::vector<T>& own,
+                                   const std::vector<T>& given) {
+  if (index >= own.size()) return std::nullopt;
+  const auto isAt = [&](std::size_t i, std::size_t place) {
+    return i < own.size() && place < given.size() && given[place] == own[i];
+  };
+  if (isAt(index, index)) return index;
+  for (std::size_t place = 0; place < given.size(); ++place)
+    if (isAt(index, place) && !isAt(place, place)) return place;
+  return std::nullopt;
+}
+
 template <typename T>
 void takeAll(const std::vector<Keys<T>>& all, double seconds, const std::vector<T>& own,
-             std::vector<T>& to) {
+             const std::vector<T>& given, std::vector<T>& to) {
   for (const Keys<T>& keys : all)
-    if (keys.index < to.size() && keys.index < own.size() && to[keys.index] == own[keys.index])
-      take(keys, seconds, to[keys.index]);
+    if (const auto place = placeOf(keys.index, own, given)) take(keys, seconds, to[*place]);
 }
 
 }  // namespace
@@ -131,17 +146,17 @@ void takeAt(const Keys<Medium>& keys, double seconds, Medium& medium) {
 }
 
 void takeLightsAt(const Scene& scene, const SceneTime& time, Lighting& lighting) {
-  takeLightsAt(scene, scene.lighting, time, lighting);
+  takeLightsAt(scene, scene.lighting, scene.lighting, time, lighting);
 }
 
-void takeLightsAt(const Scene& scene, const Lighting& own, const SceneTime& time,
-                  Lighting& lighting) {
+void takeLightsAt(const Scene& scene, const Lighting& own, const Lighting& given,
+                  const SceneTime& time, Lighting& lighting) {
   const ClipChanges* const changes = changesOf(scene, time.clip);
   if (changes == nullptr) return;
   const double seconds = timeIn(scene, time);
-  takeAll(changes->directional, seconds, own.directional, lighting.directional);
-  takeAll(changes->points, seconds, own.points, lighting.points);
-  takeAll(changes->spots, seconds, own.spots, lighting.spots);
+  takeAll(changes->directional, seconds, own.directional, given.directional, lighting.directional);
+  takeAll(changes->points, seconds, own.points, given.points, lighting.points);
+  takeAll(changes->spots, seconds, own.spots, given.spots, lighting.spots);
 }
 
 void takeCameraAt(const Scene& scene, const SceneTime& time, Camera& camera) {

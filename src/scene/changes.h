@@ -21,9 +21,10 @@ void takeAt(const Keys<Medium>& keys, double seconds, Medium& medium);
 
 /// The same for all of the scene's own lights, and for its camera, at a time of the scene.
 void takeLightsAt(const Scene& scene, const SceneTime& time, Lighting& lighting);
-/// The same for lights of which only those that equal the scene's `own` follow its clips.
-void takeLightsAt(const Scene& scene, const Lighting& own, const SceneTime& time,
-                  Lighting& lighting);
+/// The same for lights of which only those follow clips that equal the scene's `own`, wherever they
+/// stand among those `given`. `lighting` begins with them.
+void takeLightsAt(const Scene& scene, const Lighting& own, const Lighting& given,
+                  const SceneTime& time, Lighting& lighting);
 void takeCameraAt(const Scene& scene, const SceneTime& time, Camera& camera);
 
 /// What an object is made of at a time of the scene.

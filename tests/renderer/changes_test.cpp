@@ -130,6 +130,28 @@ TEST_F(ChangesTest, ALightThatIsAsItWasSetFollowsItsClipAgain) {
   EXPECT_EQ(renderer_.render(options()).images[0].rgba, expected.rgba);
 }
 
+TEST_F(ChangesTest, ALightFollowsItsClipWhenOthersAreRemoved) {
+  const PointLight still{{20, 0, 30}, {50, 500, 50}};
+  const PointLight last{{0, 0, 30}, {1, 1, 1}};
+  const PointLight lamp = scene_.lighting.points[0];
+  scene_.changes.resize(1);
+  scene_.changes[0].points = {{0, {0, 2}, {lamp, last}}};
+  const Image alone = picture(scene_, 1);
+  scene_.lighting.points = {still, lamp};
+  scene_.changes[0].points[0].index = 1;
+  const Image both = picture(scene_, 1);
+  EXPECT_NE(alone.rgba, both.rgba);
+  renderer_.setScene(scene_);
+  renderer_.setTime({1, 0});
+  Lighting lighting = scene_.lighting;
+  lighting.points = {lamp};
+  renderer_.setLighting(lighting);
+  EXPECT_EQ(renderer_.render(options()).images[0].rgba, alone.rgba);
+  lighting.points = {still, lamp};
+  renderer_.setLighting(lighting);
+  EXPECT_EQ(renderer_.render(options()).images[0].rgba, both.rgba);
+}
+
 TEST_F(ChangesTest, AMaterialThatIsAsItWasSetFollowsItsClipAgain) {
   Medium dark = scene_.objects[0].medium;
   dark.sigmaAPerMm = {1, 1, 1};

@@ -38,8 +38,9 @@ void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& in
                  .site = site,
                  .nodeCount = inputs.between.surfels.tree.nodeCount,
                  .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
-  commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count,
-                          raysOfVertex * inputs.areaLights * roundsOfWalk);
+  commands.dispatchLinear(
+      inputs.tables.sidesOfVertices() * vertices.count,
+      inputs.areaLights * (raysOfVertex * roundsOfWalk + inputs.between.rounds()));
   commands.endPass();
 }
 

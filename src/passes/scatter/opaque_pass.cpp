@@ -105,7 +105,8 @@ void OpaquePass::overVertices(gpu::CommandList& commands, const Inputs& inputs, 
                  .site = site,
                  .nodeCount = inputs.between.surfels.tree.nodeCount,
                  .piecesPerSurfel = inputs.between.surfels.piecesPerSurfel});
-  commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count);
+  commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count,
+                          inputs.between.rounds());
   commands.endPass();
 }
 

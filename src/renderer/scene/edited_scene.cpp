@@ -91,7 +91,7 @@ void EditedScene::followClip() {
 
 void EditedScene::addSuns(const Lighting& given, const Suns& suns, Lighting& all) const {
   all = given;
-  scene::takeLightsAt(*scene_, lightingAsSet_, time_, all);
+  scene::takeLightsAt(*scene_, lightingAsSet_, given, time_, all);
   seeFrom(origin_, all);
   separate(suns, all);
   if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], all);
