@@ -60,7 +60,9 @@ struct Below {
   std::uint32_t endSurfel = 0;
   std::uint32_t object = 0;
   double areaMm2 = 0;
-  // Means over the area.
+  // Means over the area or, where clusters are as large as triangles, over surfels: otherwise one
+  // large triangle would hide that others beside it are small.
+  double weight = 0;
   double wantedMm = 0;       // edge of a cluster
   double ofShapeMm = 0;      // the same, as the shape alone demands it, without the medium
   double thinnessPerMm = 0;  // 1 over the thickness
@@ -241,11 +243,13 @@ class Divider {
     const Edges& edges = edges_[object];
     Below below;
     below.object = object;
-    const auto include = [&](double area, double wanted, double ofShape, double thinness) {
+    const auto include = [&](double area, double weight, double wanted, double ofShape,
+                             double thinness) {
       below.areaMm2 += area;
-      below.wantedMm += area * wanted;
-      below.ofShapeMm += area * ofShape;
-      below.thinnessPerMm += area * thinness;
+      below.weight += weight;
+      below.wantedMm += weight * wanted;
+      below.ofShapeMm += weight * ofShape;
+      below.thinnessPerMm += weight * thinness;
     };
     if (link.leaf) {
       below.firstSurfel = link.first;
@@ -253,11 +257,12 @@ class Divider {
       for (std::uint32_t i = link.first; i < link.first + link.count; ++i) {
         if (edges.areAsItsTriangles()) {
           const double edge = edgeOverTriangle * std::sqrt(shapes_[i].areaMm2);
-          include(shapes_[i].areaMm2, edge, edge, 0);
+          include(shapes_[i].areaMm2, 1, edge, edge, 0);
           continue;
         }
+        const double area = shapes_[i].areaMm2;
         const double ofShape = followed(thicknessMm_[i], edges.usual);
-        include(shapes_[i].areaMm2, followed(thicknessMm_[i], std::min(edges.usual, edges.largest)),
+        include(area, area, followed(thicknessMm_[i], std::min(edges.usual, edges.largest)),
                 ofShape, 1 / std::max(thicknessMm_[i], leastPart * edges.usual));
       }
     } else {
@@ -266,13 +271,13 @@ class Divider {
         const Below& part = below_[child];
         if (child == node + 1) below.firstSurfel = part.firstSurfel;
         below.endSurfel = part.endSurfel;
-        include(part.areaMm2, part.wantedMm, part.ofShapeMm, part.thinnessPerMm);
+        include(part.areaMm2, part.weight, part.wantedMm, part.ofShapeMm, part.thinnessPerMm);
         child = next;
       }
     }
-    if (below.areaMm2 > 0)
+    if (below.weight > 0)
       for (double* mean : {&below.wantedMm, &below.ofShapeMm, &below.thinnessPerMm})
-        *mean /= below.areaMm2;
+        *mean /= below.weight;
     below_[node] = below;
     return link.end;
   }

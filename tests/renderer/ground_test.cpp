@@ -104,6 +104,60 @@ TEST_F(GroundTest, GivesBackItsShareOfADirectionalLightButInTheShadow) {
   });
 }
 
+// Irradiance below a lamp at that height over an endless matt floor, which is in shadow up to that
+// radius from the place below the lamp. By quadrature over rings that grow outwards.
+double irradianceFromFloor(const Vector& at, const Vector& normal, double floorMm, double lampMm,
+                           double shadowMm) {
+  constexpr int rings = 300;
+  constexpr int places = 180;
+  constexpr double growth = 1.03;
+  const double height = lampMm - floorMm;
+  double sum = 0;
+  for (double ring = 0, inner = shadowMm; ring < rings; ++ring, inner *= growth) {
+    const double radius = 0.5 * (1 + growth) * inner;
+    const double exitance = height / std::pow(radius * radius + height * height, 1.5);
+    for (int i = 0; i < places; ++i) {
+      const double angle = 2 * pi * (i + 0.5) / places;
+      const Vector offset{radius * std::cos(angle) - at[0], floorMm - at[1],
+                          radius * std::sin(angle) - at[2]};
+      const double squared = dot(offset, offset);
+      const double facing = std::max(dot(offset, normal), 0.0) * -offset[1] / squared;
+      const double area = radius * (growth - 1) * inner * 2 * pi / places;
+      sum += exitance * facing / (pi * squared) * area;
+    }
+  }
+  return sum;
+}
+
+// Far out its triangles are large. Too few clusters must not join them to those near the ball.
+TEST_F(GroundTest, FewClustersDoNotJoinNearAndFar) {
+  constexpr float floorMm = -1.1F * ballMm;
+  constexpr float lampMm = 7 * ballMm;
+  constexpr double albedoOfFloor = 0.8;
+  Scene scene =
+      sceneOf(sphere({0, 0, 0}, ballMm, 4), darkness(), {0, -0.2F * ballMm, 60}, 1.1F * ballMm);
+  scene.objects[0].opaque = mattMaterial({0.5F, 0.5F, 0.5F});
+  scene.objects.push_back(groundUnder(scene, {.color = {0.8F, 0.8F, 0.8F}, .heightMm = floorMm}));
+  scene.lighting.points.push_back({{0, lampMm, 0}, {1, 1, 1}});
+  const double shadowMm = (lampMm - floorMm) * std::tan(std::asin(double{ballMm} / double{lampMm}));
+  for (const int clusters : {1500, 8192}) {
+    RenderOptions options = GroundTest::options();
+    options.bounces = 1;
+    options.maxClusters = clusters;
+    const auto images = look(scene, options);
+    double found = 0;
+    double expected = 0;
+    forEachCovered(images[0], [&](std::size_t i) {
+      const Vector at = toVector(&images[2].rgba[i]);
+      if (images[1].rgba[i] != 0 || at[1] > -0.3 * ballMm || at[1] < -0.7 * ballMm) return;
+      found += static_cast<double>(images[0].rgba[i]);
+      expected += 0.5 * albedoOfFloor *
+                  irradianceFromFloor(at, unit(at), double{floorMm}, double{lampMm}, shadowMm);
+    });
+    EXPECT_NEAR(found / expected, 1, 0.06) << clusters;
+  }
+}
+
 // A polished black ball mirrors light from the ground by Fresnel, where the mirrored ray meets lit
 // ground. Nothing else shines there.
 TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
