@@ -72,8 +72,8 @@ double EyePaths::leaving(std::uint32_t body, double alpha, double cosine) const 
 EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toEye,
                                     bool first) const {
   const Body& body = geometry_.scene().bodies[point.body];
-  const Sides sides = sidesOf(body, point, toEye);
   if (!body.opaque) {
+    const Sides sides = sidesOf(body, point, toEye);
     const double cosine = std::clamp(dot(sides.normal, toEye), 1e-3, 1.0);
     const double alpha = alphaAt(body, point, options_.roughness);
     return {point, Reflection::ofMedium(body.medium.eta, alpha, sides.normal, sides.outside, toEye),

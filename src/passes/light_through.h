@@ -8,6 +8,7 @@
 #include "passes/products.h"
 #include "passes/variants.h"
 #include "shaders/binding_groups.h"
+#include "shaders/shared/boundary.h"
 
 /// For passes whose shaders have lib/light_through.glsl.
 namespace opaline::passes {
@@ -21,8 +22,7 @@ struct BodiesBetween {
 
   /// An upper bound of the loop rounds of an invocation that looks for one light behind them.
   std::uint32_t rounds() const {
-    constexpr std::uint32_t mostSurfaces = 8;  // of lib/through_bodies.glsl
-    return letLightThrough ? mostSurfaces * roundsOfWalk : 1;
+    return letLightThrough ? shared::mostSurfacesOfWay * roundsOfWalk : 1;
   }
 };
 

@@ -309,8 +309,9 @@ void runReference(const Arguments& arguments) {
   job.begin = begin;
   const Json report = frames ? makeFrames(command, job, command.motion.framesOfChunk(), log)
                              : makeStill(command, job, log);
-  if (command.report) writeWhole(*command.report, toText(report));
-  if (command.json) printOut(toText(report));
+  const std::string text = toText(report);
+  if (command.report) writeWhole(*command.report, text);
+  if (command.json) printOut(text);
   requireCheckpoints(report);
 }
 

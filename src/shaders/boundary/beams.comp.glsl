@@ -56,11 +56,6 @@ const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 const float thinner = 0.5;
 
 #include "lib/beam_body.glsl"
-
-float windingOf(uint cluster) {
-  return clusters[cluster].along.w;
-}
-
 #include "lib/through_bodies.glsl"
 
 uint light;

@@ -72,11 +72,6 @@ uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
-
-float windingOf(uint cluster) {
-  return clusters[cluster].along.w;
-}
-
 #include "lib/through_bodies.glsl"
 
 struct PieceFrame {

@@ -19,14 +19,11 @@ TEXELS(THROUGH_BINDING + 2, clusters);  // Cluster
 layout(constant_id = 0) const uint withThinParts = 0u;
 layout(constant_id = 1) const uint withPaint = 0u;
 
-float windingOf(uint cluster) {
-  return texelOf(clusters, texelOfCluster(cluster, 4u)).w;
-}
-
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
+#define CLUSTERS_ARE_TEXELS
 #include "lib/through_bodies.glsl"
 
 bool looksThrough(float visible) {

@@ -1,7 +1,6 @@
 // Light that goes through bodies in its way without being scattered. Needs, before it, lib/boundary.glsl,
-// lib/fresnel.glsl, lib/rays.glsl, BINDING_CLUSTER_PAINTS, withPaint, piecesPerSurfel, the buffers ranges and
-// clusterOfSurfel, and a function
-//   float windingOf(uint cluster), Cluster::along.w
+// lib/fresnel.glsl, lib/rays.glsl, BINDING_CLUSTER_PAINTS, withPaint, piecesPerSurfel, and the buffers ranges, clusters
+// and clusterOfSurfel; CLUSTERS_ARE_TEXELS where clusters are read as such.
 #ifndef OPALINE_LIB_THROUGH_BODIES
 #define OPALINE_LIB_THROUGH_BODIES
 #include "lib/paint.glsl"
@@ -9,8 +8,14 @@
 // A light of which less is hidden is not looked for behind bodies.
 const float leastHidden = 0.02;
 
-// Two for each wall, and some that are met twice.
-const uint mostSurfaces = 8u;
+// See Cluster::along.
+float windingOf(uint cluster) {
+#ifdef CLUSTERS_ARE_TEXELS
+  return texelOf(clusters, texelOfCluster(cluster, 4u)).w;
+#else
+  return clusters[cluster].along.w;
+#endif
+}
 
 // Whether a ray meets a body where it was thin enough at rest that some light gets through.
 bool isThinAt(RayHit hit) {
@@ -63,7 +68,7 @@ void goThrough(uint cluster, float distance, vec3 side, vec3 direction, vec3 pla
 vec4 throughBodies(vec3 origin, vec3 direction, RayHit hit, float least, float furthest, RayTarget scene) {
   const vec4 nothing = vec4(vec3(0.0), 1.0);
   Crossing its = Crossing(vec3(1.0), everyObject, 0.0, 0.0, furthest, vec3(0.0), 1.0);
-  for (uint k = 0u; k < mostSurfaces && hit.piece != noPiece; ++k) {
+  for (uint k = 0u; k < mostSurfacesOfWay && hit.piece != noPiece; ++k) {
     uint object = objectOfPiece(hit.piece);
     uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
     vec3 side = windingOf(cluster) * facetNormal(hit.piece);

@@ -40,10 +40,11 @@ void main() {
   ObjectData body = objects[place.object];
   bool here = seen.there && letsThrough(body);
   vec3 known = vec3(0.0);
-  if (here && withThinParts != 0u) extent = lengthsOver(seen, place);
-  if (here)
+  if (here) {
+    if (withThinParts != 0u) extent = lengthsOver(seen, place);
     known = lightsIrradiance(liftedPlace(place), -materials[seen.entry].normal.xyz, place.normal,
                              mediumAt(body, place.position));
+  }
   vec3 found = corrected(known, place.position, place.normal, insideOf(body), true, false,
                          here ? body.clusters.x : noNode, body.clusters.y).exitance;
   if (here) materials[seen.entry].behind = vec4(mix(known, found, materials[seen.entry].normal.w), 0.0);

@@ -43,6 +43,10 @@ OPALINE_BOUNDARY_CONSTANT lining = 3u;
 /// Light that goes through bodies unscattered is not followed further when less than this is left.
 OPALINE_BOUNDARY_NUMBER leastThrough = 0.02f;
 
+/// How many surfaces light may cross on its way through bodies: two for each wall, and some that
+/// are met twice.
+OPALINE_BOUNDARY_CONSTANT mostSurfacesOfWay = 8u;
+
 /// Whether more is left where a body is that thick, mm, by its least extinction of any channel,
 /// 1/mm.
 OPALINE_BOUNDARY_INLINE bool letsThrough(float thickness, float extinction) {
