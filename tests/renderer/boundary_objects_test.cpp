@@ -230,5 +230,29 @@ TEST_F(BoundaryObjectsTest, AGlowingSquareLightsABallEvenly) {
   EXPECT_LT(std::sqrt(squares / static_cast<double>(ratios.size()) - mean * mean) / mean, 0.19);
 }
 
+// Far from a ball that shines evenly, irradiance is M (R/d)² cos θ. Of the wall's many rays a few
+// meet the ball, and none of them may stand for more than some times its light.
+TEST_F(BoundaryObjectsTest, ASmallLampFarAwayLightsNoPartOfAWallBrightly) {
+  constexpr float lampMm = 5;
+  constexpr float farMm = 200 * lampMm;
+  Scene scene = sceneOf(sphere({0, 0, 0}, lampMm, 3), marble(), {4 * lampMm, 0, 0}, farMm);
+  scene.objects[0].opaque = OpaqueMaterial{.baseColor = {0, 0, 0}, .emission = {1, 1, 1}};
+  Object wall{"wall", sheet({0, 0, -farMm}, {farMm / 2, 0, 0}, {0, farMm / 2, 0}, 64), {}};
+  wall.opaque = OpaqueMaterial{.baseColor = {1, 1, 1}};
+  scene.objects.push_back(wall);
+  scene.camera.targetMm = {4 * lampMm, 0, -farMm};
+  scene.camera.verticalFovDegrees = 50;
+  RenderOptions options = boundaryOptions(64, 2);
+  options.specular = false;
+  const std::vector<Image> images = renderBoundary(scene, options, {Aov::Exitance}).images;
+  const double most = std::numbers::pi * std::pow(1.0 / 200, 2);
+  double largest = 0;
+  forEachCovered(images[0], [&](std::size_t i) {
+    largest = std::max(largest, static_cast<double>(images[0].rgba[i]));
+  });
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 15 * most);
+}
+
 }  // namespace
 }  // namespace opaline

@@ -8,7 +8,9 @@
 #define BINDING_RAYS 3
 #define BINDING_SKY_RADIANCE 8
 #define BINDING_CLUSTER_PAINTS 11
+#define BINDING_CLUSTER_NODES 13
 #include "lib/boundary.glsl"
+#include "lib/cluster_node.glsl"
 #include "lib/cluster_weight.glsl"
 #include "lib/escape.glsl"
 #include "lib/fresnel.glsl"
@@ -116,6 +118,7 @@ float densityOfRays(vec3 direction, float cosine) {
 // A ray outwards, and the light from its direction that enters.
 struct RayOutwards {
   vec3 origin;
+  vec3 normal;  // of the surface there
   vec3 direction;
   float eta;
   float cosine;    // outside
@@ -138,12 +141,25 @@ RayOutwards rayOutwards(uint i, uint k, Cluster cluster, ClusterRange range, Obj
                                  : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
   float eta = mediumAt(own, place.middle).boundary.x;
   float outside = dot(direction, place.normal);
-  if (outside <= 0.0) return RayOutwards(place.middle, direction, eta, outside, 0.0, vec3(0.0));
+  if (outside <= 0.0) return RayOutwards(place.middle, place.normal, direction, eta, outside, 0.0, vec3(0.0));
   float density = densityOfRays(direction, outside);
   float entering = transmittedInto(eta, outside) * outside / density;
   // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
   vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
-  return RayOutwards(place.middle, direction, eta, outside, entering, radiance);
+  return RayOutwards(place.middle, place.normal, direction, eta, outside, entering, radiance);
+}
+
+// Light of a small body far away is met by few rays, and then by one ray too many or none. A cluster's neighbours make up
+// for that, but not where clusters are as large as the horizon's. So a ray stands for at most this many times the body.
+const float bodiesOfRay = 16.0;
+
+// How much of all even light that arrives at a place comes from a body at most: that of a ball around it which touches
+// the horizon, or lies above it.
+float largestShareOf(ObjectData body, vec3 place, vec3 normal) {
+  vec3 towards = centroidLinkOf(body.clusters.x).xyz - place;
+  float away = max(length(towards), 1e-15);
+  float ratio = spreadOf(body.clusters.x).x / away;
+  return ratio * ratio * min(max(dot(towards, normal) / away, ratio), 1.0);
 }
 
 // How far interpolation between clusters reaches, rounded up.
@@ -201,9 +217,11 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
         cluster = backOf(cluster, met);
         cosine = -cosine;
       }
-      if (cosine > 0.0)
-        meetings[i * raysOutwards + k] = Meeting(cluster, ray.entering / (other.inside.extinction.w * pi),
+      if (cosine > 0.0) {
+        float entering = min(ray.entering, bodiesOfRay * pi * largestShareOf(met, ray.origin, ray.normal));
+        meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
                                                  transmittedInto(other.boundary.x, cosine));
+      }
     }
   }
   if (withThinParts != 0u) lookThrough(thin, i, lane, cluster, range, sum);
