@@ -173,7 +173,7 @@ Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
   Mirrored nothing = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   if (hit.piece == noPiece) return nothing;
   uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
-  float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
+  float cosine = -windingOf(cluster) * dot(facetNormal(hit.piece), direction);
   if (cosine <= 0.0) return nothing;
   vec3 place = entry.start.xyz + hit.distance * direction;
   float eta = mediumAt(objects[ranges[cluster].object], place).boundary.x;

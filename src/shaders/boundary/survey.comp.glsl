@@ -212,7 +212,7 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
       ObjectData met = objects[objectOfPiece(hit.piece)];
       MediumData other = mediumAt(met, ray.origin + hit.distance * ray.direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
-      float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), ray.direction);
+      float cosine = -windingOf(cluster) * dot(facetNormal(hit.piece), ray.direction);
       if (cosine < 0.0 && hasBack(met)) {
         cluster = backOf(cluster, met);
         cosine = -cosine;
