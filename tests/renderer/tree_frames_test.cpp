@@ -311,6 +311,22 @@ TEST_F(TreeFramesTest, ASceneInTheDarkIsBlack) {
         }
 }
 
+// A node's series may end below 0 where next to nothing arrives: with these numbers at -6e-36.
+TEST_F(TreeFramesTest, WhereNextToNothingArrivesLightIsNotNegative) {
+  Medium medium{.name = "absorbing", .eta = 1.45};
+  medium.sigmaSPrimePerMm = {3.802887, 3.802887, 3.802887};
+  medium.sigmaAPerMm = {.10579586, .09952970, .01219780};
+  Scene scene =
+      sceneOf(sheet({0, 0, 0}, {37.6F, 0, 0}, {0, 23.5F, 23.5F}, 2), medium, {-108, 207, 202}, 20);
+  scene.deformers = {{DeformerKind::Bend, -1.1541255F}};
+  scene.lighting.directional = {{{-.78825814F, -.6000107F, -.13651478F}, {3, 3, 3}}};
+  renderer().setScene(scene);
+  RenderOptions options = treeFrameOptions(30);
+  options.transport = Transport::Boundary;  // it takes nodes without asking for the tolerance
+  options.maxSurfels = 1024;
+  expectFinite(render(options, {Aov::Exitance}));
+}
+
 TEST_F(TreeFramesTest, ObjectsAndTrianglesWithoutAreaAreBorne) {
   Scene scene = litBall();
   Mesh& mesh = scene.objects[0].mesh;

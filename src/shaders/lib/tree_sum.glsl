@@ -111,7 +111,7 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
       sum += surfelSum(position, profile, reach, first, first + surfelCountOf(opened));
     }
   }
-  return sum;
+  return max(sum, vec4(0.0));  // a series may end below 0 where next to nothing arrives
 }
 
 // The profile for a rough sum, in which what coarse sources lack is spread over their reach.
