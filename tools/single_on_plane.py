@@ -2,8 +2,8 @@
 """Light that leaves a half-space after one collision, summed over clusters, against the exact integral. Square clusters
 cover a plane in even light at a slant. Prints how much too bright the middle of a cluster is, by cluster edge in mean
 free paths and by angle of arrival: mean and root mean square over 12 azimuths. The first pair is boundary transport's
-method, with a cluster's light below its middle (single.comp.glsl). The second moves the discs to where slanting rays
-have carried the light. Needs NumPy.
+method (single.comp.glsl): a cluster's own light comes from a disc where slanting rays have carried it, that of others
+from points. The second takes discs for all of them. Needs NumPy.
 
   tools/single_on_plane.py [ETA]
 """
@@ -17,6 +17,7 @@ from collisions import reflectance
 GAUSS = (np.array((0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558)),
          np.array((0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226)))
 POINTS = (np.array((0.112701665, 0.5, 0.887298335)), np.array((5, 8, 5)) / 18)
+SMOOTHING = 0.9      # of squared distances, in squared radii
 SOFT = 0.25          # of a disc's edge
 NEAR, FAR = 0.5, 1.5  # depths in radii between which a disc turns into points
 
@@ -48,11 +49,11 @@ def exact(eta, arrival):
 
 def smoothed(eta, depth, aside, radius):
     """Light of a cluster's point, averaged over both discs: μ (1 - F) e^{-z/μ} / 4r² per unit on the area π ρ²."""
-    square = radius ** 2
+    square = SMOOTHING * radius ** 2
     r = depth ** 2 + aside ** 2 + square
     cosine = np.sqrt((depth ** 2 + square) / r)
     leaves = np.where(cosine > np.sqrt(1 - 1 / eta ** 2), 1 - reflectance(1 / eta, cosine), 0)
-    return square / 4 * np.exp(-depth / cosine) * cosine * leaves / r
+    return radius ** 2 / 4 * np.exp(-depth / cosine) * cosine * leaves / r
 
 
 def disc(eta, depth, aside, radius):
@@ -66,13 +67,17 @@ def disc(eta, depth, aside, radius):
     return total
 
 
-def centred(eta, depth, radius):
-    """The same for a disc below its own middle."""
+def own(eta, depth, aside, radius):
+    """The same for the cluster's own disc: of each cone of directions the part that meets it."""
     critical = np.sqrt(1 - 1 / eta ** 2)
-    begin = max(depth / np.hypot(depth, radius), critical)
+    begin = max(depth / np.hypot(depth, radius + aside), critical)
     at, weights = GAUSS
     cosines = begin + at * (1 - begin)
-    return 0.5 * ((1 - begin) * weights * np.exp(-depth / cosines) * (1 - reflectance(1 / eta, cosines))).sum()
+    ring = depth * np.sqrt(1 / cosines ** 2 - 1)
+    crossing = radius ** 2 - ring ** 2 - aside ** 2
+    share = np.clip(0.5 + 0.5 * crossing / np.maximum(2 * ring * aside, 1e-6 * radius ** 2), 0, 1)
+    return 0.5 * ((1 - begin) * weights * share * np.exp(-depth / cosines)
+                  * (1 - reflectance(1 / eta, cosines))).sum()
 
 
 def found(eta, arrival, edge, azimuth, displaced):
@@ -91,14 +96,14 @@ def found(eta, arrival, edge, azimuth, displaced):
             far = t * t * (3 - 2 * t)
             points = far * points + (1 - far) * disc(eta, depth, aside, radius)
         else:
-            points[40, 40] = centred(eta, depth, radius)
+            points[40, 40] = own(eta, depth, aside[40, 40], radius)
         total += share * points.sum()
     return total
 
 
 def main():
     eta = float(sys.argv[1]) if len(sys.argv) > 1 else 1.3
-    print("edge    angle   below the middle: mean, rms    where it is: mean, rms, %")
+    print("edge    angle   own disc: mean, rms    all discs: mean, rms, %")
     for edge in (0.25, 0.5, 1, 1.5, 2, 3):
         for degrees in (0, 30, 60, 80):
             arrival = np.sqrt(1 - (np.sin(np.radians(degrees)) / eta) ** 2)

@@ -270,5 +270,38 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
   }
 }
 
+/// Exitance of a half-space for unit flux, by Monte Carlo with two million paths.
+struct DarkHalfSpace {
+  double albedo;
+  double normal;
+  double diffuse;
+};
+
+constexpr std::array<DarkHalfSpace, 2> darkHalfSpaces{
+    {{2.0 / 3, .1092, .1125}, {10.0 / 11, .3007, .3035}}};
+
+// Where clusters are small, light is followed to its second collision, and elsewhere to its first.
+// What leaves must not depend on that: the clusters of the three channels are 1.5, 2.3 and 3 mean
+// free paths large.
+TEST_F(RendererTest, BoundaryOfADarkHalfSpaceIsThatOfMonteCarloHoweverLargeClustersAre) {
+  for (const DarkHalfSpace& half : darkHalfSpaces) {
+    Medium medium{.name = "dark", .eta = 1.3};
+    medium.sigmaSPrimePerMm = {1, 1.5, 2};
+    for (std::size_t c = 0; c < 3; ++c)
+      medium.sigmaAPerMm[c] = medium.sigmaSPrimePerMm[c] * (1 / half.albedo - 1);
+    Scene scene = sceneOf(box({0, 0, 0}, {10, 10, 8}, 40), medium, {0, 0, 60}, 8);
+    scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+    const std::array<double, 3> normal = middleOf(scene);
+    scene.lighting.directional.clear();
+    constexpr auto unitFlux = std::numbers::inv_pi_v<float>;
+    scene.lighting.ambient = {unitFlux, unitFlux, unitFlux};
+    const std::array<double, 3> diffuse = middleOf(scene);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(normal[c] / half.normal, 1, .03) << half.albedo << ", channel " << c;
+      EXPECT_NEAR(diffuse[c] / half.diffuse, 1, .03) << half.albedo << ", channel " << c;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace opaline

@@ -37,6 +37,7 @@ void put(uint first, ActingNode node) {
 void main() {
   if (!enterTile(tileCount)) return;
   takeWayOfTile();
+  takeNormals();
   uint list = tileIndex * roomOfList;
   uint count = lists[list];
   if (count >= roomOfList) return;  // there is no list

@@ -32,18 +32,30 @@ float phaseAround(float cosine, float cosineOfArrival) {
                  phaseOverEven(along - 0.92387953 * across, medium.collision.w));
 }
 
-// The cluster's own light as from a disc at its depth: ½ ∫ p e^{-σ_t* z/μ} (1 - F_in) dμ, from the
-// cosine to the disc's edge up to 1, here times 4π; Gauss, four points.
+// How much of a ring around a place lies on a disc whose middle is aside of it, about: exact where it touches the edge
+// from within or from outside.
+float shareOnDisc(float ring, float aside, float radius) {
+  float crossing = radius * radius - ring * ring - aside * aside;
+  return clamp(0.5 + 0.5 * crossing / max(2.0 * ring * aside, 1e-6 * radius * radius), 0.0, 1.0);
+}
+
+// The cluster's own light as from a disc at its depth, which light at a slant has carried aside: ½ ∫ p e^{-σ_t* z/μ}
+// (1 - F_in) dμ over all directions that meet the disc, here times 4π; Gauss, four points.
 float fromDisc(Cluster its, vec3 place, vec3 arrival, float extinction) {
   const float at[4] = float[4](0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
   const float weight[4] = float[4](0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
   float radius = its.normal.w;
-  float depth = max(dot(its.centroidArea.xyz - place, its.normal.xyz), 0.0);
-  float from = max(depth * inversesqrt(depth * depth + radius * radius + 1e-30), medium.albedo.w);
+  vec3 offset = its.centroidArea.xyz - place;
+  float below = dot(offset, its.normal.xyz);
+  float depth = max(below, 0.0);
+  float aside = length(offset - below * its.normal.xyz);
+  float reach = radius + aside;
+  float from = max(depth * inversesqrt(depth * depth + reach * reach + 1e-30), medium.albedo.w);
   float sum = 0.0;
   for (int k = 0; k < 4; ++k) {
     float cosine = from + at[k] * (1.0 - from);
     float light = weight[k] * exp(-extinction * depth / cosine) * leaving(cosine);
+    light *= shareOnDisc(depth * sqrt(max(1.0 - cosine * cosine, 0.0)) / cosine, aside, radius);
     sum += scattersEvenly != 0u ? light : light * phaseAround(cosine, dot(arrival, its.normal.xyz));
   }
   return 2.0 * pi / max(its.centroidArea.w, 1e-30) * (1.0 - from) * sum;

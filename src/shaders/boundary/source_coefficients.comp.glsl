@@ -40,6 +40,7 @@ void putNodeApart(BeamNode node, vec3 power, vec3 middle) {
 void main() {
   if (!enterTile(tileCount)) return;
   takeWayOfTile();
+  takeNormals();
   light = 0u;
   keepList(aroundTile(), leastSigma);
 }

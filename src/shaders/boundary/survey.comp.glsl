@@ -43,11 +43,10 @@ layout(push_constant) uniform Push {
   uint endRay;
 };
 
-// Part of the light that is followed to its second collision. Where little of it scatters again,
-// diffusion from the first collision is too rough. Clusters larger than some mean free paths need
-// none, since light that leaves after one collision does so within a cluster's size there.
+// Part of the light that is followed to its second collision. Where little of it scatters again, diffusion from the
+// first collision is too rough.
 vec3 shareOfSecond(BoundaryMedium medium, float edge) {
-  return (1.0 - whitenessOf(medium)) * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
+  return (1.0 - whitenessOf(medium)) * (1.0 - coarsenessOf(medium, edge));
 }
 
 float transmittedInto(float eta, float cosine) {

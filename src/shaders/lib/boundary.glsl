@@ -50,6 +50,32 @@ vec3 whitenessOf(BoundaryMedium medium) {
   return smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
 }
 
+// Two clusters as discs that light goes between.
+struct Discs {
+  float smoothing;    // added to their squared distance, mm²
+  float spread;       // a quarter of the mean square by which places on them are aside, mm²
+  vec3 whereAbsorbed; // for each channel, how far the kernel below is kept to a plane's sum
+};
+
+Discs discsBetween(float areaMm2, float areaOfOtherMm2, BoundaryMedium medium) {
+  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium));
+}
+
+// e^{-σr}/r as a mean over both discs, to second order in what places on them are aside: K + q(∇² - ∂²/∂z²)K with the
+// spread q, where the smoothing is made up for. `depth` is how far apart they are along the normal. Instead of σ²qK it
+// has more near by, since light does not fall off so far within a cluster as to shine further. All clusters of a plane
+// together then get 2πe^{-σz}/σ within 5 % up to σ times their edge of 1, and 10 % up to 1.5; with the smoothing alone
+// they lack up to 20 and 30 %.
+vec3 kernelBetween(Discs discs, vec3 sigma, vec3 squared, vec3 depth) {
+  squared += discs.smoothing;
+  vec3 over = inversesqrt(squared);
+  vec3 over2 = over * over;
+  vec3 x = sigma * (squared * over);
+  vec3 across = (0.5 * discs.smoothing + discs.spread) * (1.0 + 1.6 * x);
+  vec3 along = discs.spread * (depth * depth + 0.565 * discs.smoothing) * over2 * (3.0 + x * (3.0 + x));
+  return exp(-x) * over * max(1.0 + discs.whereAbsorbed * (across - along) * over2, 0.2);
+}
+
 // Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface itself: all
 // of it where the body is white and thicker than some mean free paths. The rest is followed to its collisions.
 vec3 shareAtSurface(float thicknessMm, BoundaryMedium medium) {

@@ -50,9 +50,16 @@ Action actionOn(uint t, ActingNode node, vec3 weightS, float openingAngle) {
   float over2 = over * over;
   vec3 x = sigma * (squared * over);
   vec3 e = exp(-x) * over2 * over;
-  float smoothed = squared + smoothingOf(target.w, node.leaf ? node.area : 0.0);
-  float overAway = inversesqrt(smoothed);
-  vec3 single = exp(-sigma * (smoothed * overAway)) * overAway * weightS * way.overDiffusion;
+  vec3 kernel;
+  if (node.leaf) {
+    float depth = dot(offset, targetNormals[t].xyz);
+    kernel = kernelBetween(discsBetween(target.w, node.area, medium), sigma, vec3(squared), vec3(depth));
+  } else {
+    float smoothed = squared + smoothingOf(target.w, 0.0);
+    float overAway = inversesqrt(smoothed);
+    kernel = exp(-sigma * (smoothed * overAway)) * overAway;
+  }
+  vec3 single = kernel * weightS * way.overDiffusion;
   vec3 along = e * (1.0 + x);
   if (node.leaf) {
     // The expansion about the middle holds only for places outside.

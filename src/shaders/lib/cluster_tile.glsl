@@ -20,6 +20,13 @@ BoundaryMedium medium;
 float leastSigma;
 vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Past the tile's end, its last cluster again
 
+vec4 targetNormals[maxClustersOfTile];  // w: the radius of a disc of that area, mm
+
+void takeNormals() {
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    targetNormals[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 1u));
+}
+
 // The part of the body's nodes that this invocation looks at in a walk.
 uint sliceBegin;
 uint sliceEnd;

@@ -12,14 +12,22 @@ vec3 excessOfDiffusion(BoundaryMedium medium) {
   return (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
 }
 
+// For each channel: 0 where clusters are small enough for light to be followed to second collisions, 1 where diffusion
+// starts at the first. Light that leaves after one collision does so within such a cluster.
+vec3 coarsenessOf(BoundaryMedium medium, float edgeMm) {
+  return smoothstep(1.5, 3.0, edgeMm * medium.extinction.rgb);
+}
+
+// Diffusion from first collisions on has that much more of the excess; within a tenth of it for albedos from 0.6.
+const float moreFromFirst = 0.33;
+
 // On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. This factor
-// of 1/A lessens that part by the excess. It also holds for clusters of some free paths, though light is not followed
-// to second collisions there: else clusters side by side would differ. Much larger ones lack about as much light.
+// of 1/A lessens that part by the excess.
 vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
-  vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);
-  vec3 coarse = smoothstep(2.5, 4.5, edgeMm * medium.extinction.rgb);
-  return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), max(whitenessOf(medium), coarse));
+  vec3 excess = excessOfDiffusion(medium) * (1.0 + moreFromFirst * coarsenessOf(medium, edgeMm));
+  vec3 withExcess = inwards + excess * (1.0 + inwards);
+  return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), whitenessOf(medium));
 }
 
 // Where the surface is convex, light on its way out spreads and goes more nearly along the normal, and less of it

@@ -79,11 +79,24 @@ vec3 expandedAt(vec3 d) {
          d.x * d.z * expansion[9] + d.y * d.z * expansion[10];
 }
 
+vec3 depthsBelow(BeamPoint point, uint t) {
+  vec3 normal = targetNormals[t].xyz;
+  vec3 place = targets[t].xyz;
+  return vec3(dot(place - point.red.xyz, normal), dot(place - point.green.xyz, normal), dot(place - point.blue.xyz, normal));
+}
+
+vec3 depthsBelow(uint target, BeamPoint point) {
+  vec3 place = targets[target].xyz;
+  vec3 normal = targetNormals[target].xyz;
+  return vec3(dot(place - point.red.xyz, normal), dot(place - point.green.xyz, normal), dot(place - point.blue.xyz, normal));
+}
+
 // Adds to all clusters of the tile but the one that is `without`.
 void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    Discs discs = discsBetween(targets[t].w, areaMm2, medium);
     vec3 squared = squaredDistances(point, targets[t].xyz);
-    vec3 light = power * kernel(squared + smoothingOf(targets[t].w, areaMm2));
+    vec3 light = power * kernelBetween(discs, way.sigma, squared, depthsBelow(t, point));
     if (t != without) tileLight[t] += light;
   }
 }

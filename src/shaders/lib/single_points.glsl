@@ -7,12 +7,10 @@
 layout(constant_id = 0) const uint scattersEvenly = 1u;  // 0: some media do not
 
 float eta;
-vec4 targetNormals[maxClustersOfTile];  // w: ρ, mm
 
 void takeSurface() {
   eta = mediumAt(body, targets[0].xyz).boundary.x;
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targetNormals[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 1u));
+  takeNormals();
 }
 
 // 1 - F_in, both polarisations over one denominator.
