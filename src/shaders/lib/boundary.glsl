@@ -52,20 +52,20 @@ vec3 whitenessOf(BoundaryMedium medium) {
 
 // Two clusters as discs that light goes between.
 struct Discs {
-  float smoothing;    // added to their squared distance, mm²
-  float spread;       // a quarter of the mean square by which places on them are aside, mm²
-  vec3 whereAbsorbed; // for each channel, how far the kernel below is kept to a plane's sum
+  float smoothing;     // added to their squared distance, mm²
+  float spread;        // a quarter of the mean square by which places on them are aside, mm²
+  vec3 whereAbsorbed;  // for each channel, how much of the mean over discs is wanted
 };
 
 Discs discsBetween(float areaMm2, float areaOfOtherMm2, BoundaryMedium medium) {
   return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium));
 }
 
-// e^{-σr}/r as a mean over both discs, to second order in what places on them are aside: K + q(∇² - ∂²/∂z²)K with the
-// spread q, where the smoothing is made up for. `depth` is how far apart they are along the normal. Instead of σ²qK it
-// has more near by, since light does not fall off so far within a cluster as to shine further. All clusters of a plane
-// together then get 2πe^{-σz}/σ within 5 % up to σ times their edge of 1, and 10 % up to 1.5; with the smoothing alone
-// they lack up to 20 and 30 %.
+// e^{-σr}/r as a mean over both discs, to second order in how far places on them are aside: K + q(∇² - ∂²/∂z²)K with
+// the spread q, made up for the smoothing. `depth` is how far apart they are along the normal. Instead of σ²qK it has
+// more near by, because what a cluster has falls off across it. All clusters of a plane together then get 2πe^{-σz}/σ
+// within 5 % if their edge is 1/σ, and within 11 % if it is 1.5/σ; by smoothed distances alone they lack up to 27 and
+// 39 %.
 vec3 kernelBetween(Discs discs, vec3 sigma, vec3 squared, vec3 depth) {
   squared += discs.smoothing;
   vec3 over = inversesqrt(squared);
