@@ -36,7 +36,7 @@ float phaseAround(float cosine, float cosineOfArrival) {
 // from within or from outside.
 float shareOnDisc(float ring, float aside, float radius) {
   float crossing = radius * radius - ring * ring - aside * aside;
-  return clamp(0.5 + 0.5 * crossing / max(2.0 * ring * aside, 1e-6 * radius * radius), 0.0, 1.0);
+  return clamp(0.5 + 0.5 * crossing / max(2.0 * ring * aside, max(1e-6 * radius * radius, 1e-30)), 0.0, 1.0);
 }
 
 // The cluster's own light as from a disc at its depth, which light at a slant has carried aside: ½ ∫ p e^{-σ_t* z/μ}

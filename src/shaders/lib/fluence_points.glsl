@@ -79,12 +79,6 @@ vec3 expandedAt(vec3 d) {
          d.x * d.z * expansion[9] + d.y * d.z * expansion[10];
 }
 
-vec3 depthsBelow(BeamPoint point, uint t) {
-  vec3 normal = targetNormals[t].xyz;
-  vec3 place = targets[t].xyz;
-  return vec3(dot(place - point.red.xyz, normal), dot(place - point.green.xyz, normal), dot(place - point.blue.xyz, normal));
-}
-
 vec3 depthsBelow(uint target, BeamPoint point) {
   vec3 place = targets[target].xyz;
   vec3 normal = targetNormals[target].xyz;
