@@ -301,7 +301,7 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofTh
   float edge = sqrt(cluster.centroidArea.w);
   float counts = range.kind == openBody ? 0.0 : range.kind == opaqueBody ? openness : 1.0;
   clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), counts);
-  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), edge, cluster.escape.w, ofThickness);
+  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), cluster.escape.w, ofThickness);
 }
 
 void main() {

@@ -3,13 +3,13 @@
 #define OPALINE_LIB_ESCAPE
 #include "lib/boundary.glsl"
 
-// Near the surface of what absorbs, diffusion from second collisions on has too much light. How much is known
-// from what leaves a half-space: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and
-// η up to 1.5.
+// Near the surface of what absorbs, diffusion has too much light, whether it begins with the first or the second
+// collision. How much is known from what leaves a half-space: within 1 % the same for light from 0 and from 60°, for
+// albedos down to 0.65 and η up to 1.5. It is more where light scatters forwards.
 vec3 excessOfDiffusion(BoundaryMedium medium) {
   vec3 dark = 1.0 - medium.albedo.rgb;
   float a = medium.diffusion.w;
-  return (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
+  return (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark) + 1.33 * max(medium.collision.w, 0.0) * dark * dark;
 }
 
 // For each channel: 0 where clusters are small enough for light to be followed to second collisions, 1 where diffusion
@@ -18,15 +18,11 @@ vec3 coarsenessOf(BoundaryMedium medium, float edgeMm) {
   return smoothstep(1.5, 3.0, edgeMm * medium.extinction.rgb);
 }
 
-// Diffusion from first collisions on has that much more of the excess; within a tenth of it for albedos from 0.6.
-const float moreFromFirst = 0.33;
-
 // On a plane, the part 1 / (1 + 2ADσ) of what comes to the surface leaves, from whatever depth it comes. This factor
 // of 1/A lessens that part by the excess.
-vec3 escapeOfPlane(BoundaryMedium medium, float edgeMm) {
+vec3 escapeOfPlane(BoundaryMedium medium) {
   vec3 inwards = 2.0 * medium.diffusion.w * medium.diffusion.rgb * medium.sigma.rgb;
-  vec3 excess = excessOfDiffusion(medium) * (1.0 + moreFromFirst * coarsenessOf(medium, edgeMm));
-  vec3 withExcess = inwards + excess * (1.0 + inwards);
+  vec3 withExcess = inwards + excessOfDiffusion(medium) * (1.0 + inwards);
   return mix(inwards / max(withExcess, vec3(1e-20)), vec3(1.0), whitenessOf(medium));
 }
 
@@ -47,8 +43,8 @@ vec3 escapeByThickness(BoundaryMedium medium, float thicknessMm, float parallel)
 }
 
 // `ofThickness` is the last factor, over the cluster.
-vec3 escapeOf(BoundaryMedium medium, float edgeMm, float curvature, vec3 ofThickness) {
-  return escapeOfPlane(medium, edgeMm) * escapeByCurvature(medium, curvature) * ofThickness;
+vec3 escapeOf(BoundaryMedium medium, float curvature, vec3 ofThickness) {
+  return escapeOfPlane(medium) * escapeByCurvature(medium, curvature) * ofThickness;
 }
 
 #endif
