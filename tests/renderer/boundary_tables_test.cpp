@@ -270,7 +270,7 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
   }
 }
 
-/// Exitance of a half-space for unit flux, by Monte Carlo with two million paths.
+/// Exitance of a half-space for unit flux, by Monte Carlo (tools/half_space.py).
 struct DarkHalfSpace {
   double albedo;
   double normal;
