@@ -37,7 +37,6 @@ void put(uint first, ActingNode node) {
 void main() {
   if (!enterTile(tileCount)) return;
   takeWayOfTile();
-  takeNormals();
   uint list = tileIndex * roomOfList;
   uint count = lists[list];
   if (count >= roomOfList) return;  // there is no list

@@ -111,7 +111,6 @@ void add(uint at, vec3 weightS) {
 void sumActions() {
   vec3 weightS = step > 0u ? singleLayerWeight(medium) : vec3(0.0);
   takeWayOfTile();
-  takeNormals();
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sumOfActions[t] = vec3(0.0);
   uint list = tileIndex * roomOfList;
   uint count = lists[list];

@@ -76,7 +76,6 @@ void main() {
   if (!enterTile(tileCount)) return;
   Around around = aroundTile();
   takeWayOfTile();
-  takeNormals();
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) tileLight[t] = vec3(0.0);
   [[unroll]] for (uint t = 0u; t < termsOfExpansion; ++t) expansion[t] = vec3(0.0);
   for (light = 0u; light < lights; ++light) sumList(around);

@@ -40,7 +40,6 @@ void putNodeApart(BeamNode node, vec3 power, vec3 middle) {
 void main() {
   if (!enterTile(tileCount)) return;
   takeWayOfTile();
-  takeNormals();
   light = 0u;
   keepList(aroundTile(), leastSigma);
 }

@@ -50,16 +50,14 @@ Action actionOn(uint t, ActingNode node, vec3 weightS, float openingAngle) {
   float over2 = over * over;
   vec3 x = sigma * (squared * over);
   vec3 e = exp(-x) * over2 * over;
-  vec3 kernel;
+  vec3 single;
   if (node.leaf) {
     float depth = dot(offset, targetNormals[t].xyz);
-    kernel = kernelBetween(discsBetween(target.w, node.area, medium), sigma, vec3(squared), vec3(depth));
+    single = kernelBetween(discsBetween(target.w, node.area, medium), sigma, vec3(squared), vec3(depth));
   } else {
-    float smoothed = squared + smoothingOf(target.w, 0.0);
-    float overAway = inversesqrt(smoothed);
-    kernel = exp(-sigma * (smoothed * overAway)) * overAway;
+    single = kernel(vec3(squared + smoothingOf(target.w, 0.0)));
   }
-  vec3 single = kernel * weightS * way.overDiffusion;
+  single *= weightS * way.overDiffusion;
   vec3 along = e * (1.0 + x);
   if (node.leaf) {
     // The expansion about the middle holds only for places outside.

@@ -19,13 +19,7 @@ ObjectData body;
 BoundaryMedium medium;
 float leastSigma;
 vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Past the tile's end, its last cluster again
-
 vec4 targetNormals[maxClustersOfTile];  // w: the radius of a disc of that area, mm
-
-void takeNormals() {
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targetNormals[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 1u));
-}
 
 // The part of the body's nodes that this invocation looks at in a walk.
 uint sliceBegin;
@@ -39,8 +33,11 @@ bool enterTile(uint tileCount) {
   body = objects[tile.object];
   medium = insideOf(body);
   leastSigma = leastOf(medium.sigma.rgb);
-  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
-    targets[t] = texelOf(clusterTexels, texelOfCluster(min(tile.firstCluster + t, tile.endCluster - 1u), 0u));
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    uint cluster = min(tile.firstCluster + t, tile.endCluster - 1u);
+    targets[t] = texelOf(clusterTexels, texelOfCluster(cluster, 0u));
+    targetNormals[t] = texelOf(clusterTexels, texelOfCluster(cluster, 1u));
+  }
   uint nodes = body.clusters.y - body.clusters.x;
   uint i = gl_LocalInvocationIndex;
   sliceBegin = body.clusters.x + nodes * i / invocationsOfTile;

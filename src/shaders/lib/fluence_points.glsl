@@ -3,12 +3,6 @@
 #define OPALINE_LIB_FLUENCE_POINTS
 #include "lib/beam_tile.glsl"
 
-// e^{-σr} / r at a squared distance.
-vec3 kernel(vec3 squared) {
-  vec3 over = inversesqrt(squared);
-  return exp(-way.sigma * (squared * over)) * over;
-}
-
 // A cluster's points.
 struct Sender {
   uint cluster;

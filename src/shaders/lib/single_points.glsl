@@ -10,7 +10,6 @@ float eta;
 
 void takeSurface() {
   eta = mediumAt(body, targets[0].xyz).boundary.x;
-  takeNormals();
 }
 
 // 1 - F_in, both polarisations over one denominator.

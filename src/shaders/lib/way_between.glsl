@@ -29,4 +29,10 @@ void takeWayFrom(uint node) {
   way.overDiffusion = 2.0 * medium.diffusion.rgb / (medium.diffusion.rgb + there.diffusion.rgb);
 }
 
+// e^{-σr} / r at a squared distance.
+vec3 kernel(vec3 squared) {
+  vec3 over = inversesqrt(squared);
+  return exp(-way.sigma * (squared * over)) * over;
+}
+
 #endif
