@@ -12,7 +12,14 @@ struct Sender {
   vec3 ofFirst;  // power
   vec3 ofSecond;
   float areaMm2;  // of the disc that the light entered through
+  float asDisc;   // how much of the mean over discs is wanted
 };
+
+// A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
+// much light that clusters beside them would differ.
+float narrownessOf(Cluster cluster) {
+  return 1.0 - smoothstep(0.3, 0.6, sqrt(cluster.centroidArea.w) / cluster.start.w);
+}
 
 // The sender of that power.
 Sender senderOf(uint cluster, vec3 power) {
@@ -22,7 +29,8 @@ Sender senderOf(uint cluster, vec3 power) {
   vec3 first = shareOfFirst(from);
   uint firstCount = first == vec3(0.0) ? 0u : counts.x;
   return Sender(cluster, beam, firstCount, firstCount + counts.y, power * way.overDiffusion * first,
-                power * way.overDiffusion * shareOfSecond(from, medium), from.centroidArea.w);
+                power * way.overDiffusion * shareOfSecond(from, medium), from.centroidArea.w,
+                narrownessOf(from));
 }
 
 BeamPoint pointOf(Sender from, uint p) {
@@ -80,9 +88,10 @@ vec3 depthsBelow(uint target, BeamPoint point) {
 }
 
 // Adds to all clusters of the tile but the one that is `without`.
-void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
+void addPoint(BeamPoint point, vec3 power, Sender from, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    Discs discs = discsBetween(targets[t].w, areaMm2, medium);
+    Discs discs = discsBetween(targets[t].w, from.areaMm2, medium);
+    discs.whereAbsorbed *= from.asDisc;
     vec3 squared = squaredDistances(point, targets[t].xyz);
     vec3 light = power * kernelBetween(discs, way.sigma, squared, depthsBelow(t, point));
     if (t != without) tileLight[t] += light;
@@ -128,7 +137,7 @@ void addPoints(Sender from) {
   for (uint p = 0u; p < from.count; ++p) {
     BeamPoint point = pointOf(from, p);
     bool isDisc = p < min(from.firstCount, pointsOfFirstSegment);
-    addPoint(point, powerOf(from, p, point), from.areaMm2, isDisc ? from.cluster - tile.firstCluster : noNode);
+    addPoint(point, powerOf(from, p, point), from, isDisc ? from.cluster - tile.firstCluster : noNode);
   }
 }
 
