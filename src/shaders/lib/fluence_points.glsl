@@ -18,7 +18,7 @@ struct Sender {
 // A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
 // much light that clusters beside them would differ.
 float narrownessOf(Cluster cluster) {
-  return 1.0 - smoothstep(0.3, 0.6, sqrt(cluster.centroidArea.w) / cluster.start.w);
+  return 1.0 - smoothstep(0.3, 0.6, sqrt(cluster.centroidArea.w) / max(cluster.start.w, 1e-30));
 }
 
 // The sender of that power.
