@@ -256,10 +256,12 @@ struct Clusters {
                                       ///< shared::roomOfAround
   gpu::Buffer clusters;               ///< shared::Cluster
   gpu::Buffer nodes;                  ///< shared::ClusterNode
-  gpu::Buffer entries;       ///< shared::Entry per cluster for each light, then for light from
-                             ///< everywhere
-  std::uint32_t lights = 0;  ///< of the frame
-  gpu::Buffer meetings;      ///< shared::Meeting, for the outward rays of each cluster
+  gpu::Buffer entries;         ///< shared::Entry per cluster for each light, then for light from
+                               ///< everywhere
+  std::uint32_t lights = 0;    ///< of the frame
+  gpu::Buffer meetings;        ///< shared::Meeting, for the outward rays of each cluster
+  gpu::Buffer meetingsBehind;  ///< shared::MeetingBehind, a few for each of these; none if no body
+                               ///< lets light through
   std::uint32_t raysOutwards = 0;  ///< of each cluster
   std::uint32_t raysAtOnce = 0;    ///< of these
   gpu::Buffer skySums;             ///< shared::SkySum per cluster, of the rays sent so far

@@ -1,7 +1,6 @@
 // Light that gets through a body without being scattered enters what lies behind it, and lights
-// opaque surfaces there. The bodies in
-// the way absorb and hardly scatter, so nothing else comes from them. The expected values are
-// Fresnel's and Beer's laws.
+// opaque surfaces there. The bodies in the way absorb and hardly scatter, so nothing else comes
+// from them. The expected values are Fresnel's and Beer's laws.
 
 #include <gtest/gtest.h>
 
@@ -151,6 +150,56 @@ TEST_F(BoundaryThroughTest, TheSkyThroughAShellFollowsFresnelAndBeer) {
   const std::array<double, 3> within = exitanceOfBall(scene);
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(within[c] / open[c], through(c, 1, 1, 1.02), 0.01) << c;
+}
+
+constexpr double floorMm = 160;  // edge of a lit floor along x, from 0
+constexpr double screenMm = 6;   // from there to a screen that faces it
+constexpr double heightMm = 20;  // of the screen's middle above the floor
+
+// How much of a floor's light gets to the screen through the wall, by a sum over directions.
+double throughFromFloor(std::size_t channel) {
+  double all = 0;
+  double left = 0;
+  constexpr int steps = 400;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const double squared = (i + 0.5) / steps;  // of the sine to the screen's normal
+      const double angle = (j + 0.5) / steps * std::numbers::pi;
+      const double cosine = std::sqrt(1 - squared);
+      const double down = std::sqrt(squared) * std::sin(angle);
+      const double where = heightMm * cosine / down - screenMm;
+      if (where < 0 || where > floorMm) continue;
+      all += 1;
+      left += through(channel, 0.5, cosine, 1.02);
+    }
+  return left / all;
+}
+
+// The light is parallel to the wall and the screen, so the screen has the floor's light alone.
+TEST_F(BoundaryThroughTest, TheLightOfAFloorThroughAWallFollowsFresnelAndBeer) {
+  constexpr auto far = static_cast<float>(floorMm);
+  constexpr auto high = static_cast<float>(heightMm);
+  constexpr auto away = static_cast<float>(-screenMm);
+  Scene scene =
+      sceneOf(sheet({far / 2, 0, 0}, {far / 2, 0, 0}, {0, 150, 0}, 20), milky(), {-3, 0, high}, 5);
+  scene.objects[0].opaque = mattMaterial({0.8F, 0.8F, 0.8F});
+  Object screen{"screen", sheet({away, 0, high}, {0, 4, 0}, {0, 0, 4}, 8), milky()};
+  screen.opaque = mattMaterial({0.03F, 0.03F, 0.03F});
+  scene.objects.push_back(screen);
+  scene.camera.targetMm = {away, 0, high};
+  scene.camera.verticalFovDegrees = 80;
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  const auto given = [&] {
+    const RenderResult result =
+        renderBoundary(scene, boundaryOptions(64, 1), {Aov::Exitance, Aov::Position});
+    return meanWhere(result.images[0], result.images[1],
+                     [](const Vector& at) { return std::abs(at[0] + screenMm) < 0.1; });
+  };
+  const std::array<double, 3> open = given();
+  scene.objects.push_back({"wall", box({-1, 0, high}, {0.25F, 150, high}, 20), grey(1.02F)});
+  const std::array<double, 3> behind = given();
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(behind[c] / open[c], throughFromFloor(c), 0.01) << c;
 }
 
 // One pixel of that sRGB value.

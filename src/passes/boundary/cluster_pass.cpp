@@ -1,6 +1,7 @@
 #include "passes/boundary/cluster_pass.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "gpu/device.h"
 #include "passes/fitted_tree.h"
@@ -22,6 +23,13 @@ ClusterPass::ClusterPass(gpu::Device& device)
                {device, "rays of clusters", {.withThinParts = 0, .withPaint = 1}}},
               {{device, "rays of clusters", {.withThinParts = 1, .withPaint = 0}},
                {device, "rays of clusters", {.withThinParts = 1, .withPaint = 1}}}} {}
+
+void ClusterPass::makeRoomBehind(gpu::Device& device, Clusters& clusters) {
+  if (clusters.meetingsBehind) return;
+  const std::size_t rays = std::size_t{clusters.count} * clusters.raysOutwards;
+  clusters.meetingsBehind = makeRoom<shared::MeetingBehind>(device, "meetings behind thin parts",
+                                                            rays * shared::meetingsBehind);
+}
 
 void ClusterPass::recordShape(gpu::CommandList& commands, const ShapeInputs& inputs,
                               Clusters& clusters) const {
@@ -124,7 +132,8 @@ void ClusterPass::survey(gpu::CommandList& commands, const ShapeInputs& inputs,
                    .brightSky = inputs.sky.bright,
                    .clusterPaints = inputs.tables.paint.clusters,
                    .skySums = clusters.skySums,
-                   .clusterNodes = clusters.nodes},
+                   .clusterNodes = clusters.nodes,
+                   .behind = looksThrough ? clusters.meetingsBehind : clusters.meetings},
                   {.clusterCount = clusters.count,
                    .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                    .raysOutwards = all,

@@ -24,6 +24,9 @@ class ClusterPass {
  public:
   explicit ClusterPass(gpu::Device& device);
 
+  /// Makes room for what rays meet behind thin parts of bodies, once.
+  static void makeRoomBehind(gpu::Device& device, Clusters& clusters);
+
   struct ShapeInputs {
     DeformedMesh& mesh;
     SceneTables& tables;

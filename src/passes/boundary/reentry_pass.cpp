@@ -36,9 +36,11 @@ void ReentryPass::record(gpu::CommandList& commands, SceneTables& tables, bool i
                  .fromAfar = withOthers ? clusters.fromAfar : clusters.entered,
                  .peaks = clusters.peaks,
                  .sums = clusters.sums,
-                 .enteredInAll = clusters.enteredInAll},
+                 .enteredInAll = clusters.enteredInAll,
+                 .behind = tables.haveThinParts ? clusters.meetingsBehind : clusters.meetings},
                 {.clusterCount = clusters.count,
                  .raysOutwards = clusters.raysOutwards,
+                 .meetingsBehindRay = tables.haveThinParts ? shared::meetingsBehind : 0,
                  .isFirst = isFirst,
                  .firstLight = clusters.lights - lights,
                  .lights = lights});

@@ -22,15 +22,17 @@ layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer FromAfar { vec4 fromAfar[]; };
 layout(std430, set = 0, binding = 14) readonly buffer EnteredInAll { vec4 enteredInAll[]; };
+layout(std430, set = 0, binding = 15) readonly buffer MeetingsBehind { MeetingBehind behind[]; };
 
 layout(constant_id = 1) const uint withOthers = 0u;  // 1: entered_around.comp.glsl adds light from afar
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
-  uint isFirst;     // 1: adds light that was mirrored on arrival
-  uint firstLight;  // of those that were found together last
-  uint lights;      // that were; 0: none
+  uint meetingsBehindRay;  // 0 where no body lets light through
+  uint isFirst;            // 1: adds light that was mirrored on arrival
+  uint firstLight;         // of those that were found together last
+  uint lights;             // that were; 0: none
 };
 
 // Where light comes from afar, in radii of the cluster that it enters.
@@ -43,6 +45,11 @@ float shareFromAfar(Cluster cluster, vec3 place) {
                                        distance(place, cluster.centroidArea.xyz) / max(cluster.normal.w, 1e-15));
 }
 
+// What leaves a cluster and what is mirrored there of what entered before.
+vec3 lightOf(uint cluster, float transmitted) {
+  return mix(enteredBefore[cluster].rgb, latest[cluster].rgb, transmitted);
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
@@ -52,7 +59,16 @@ void main() {
   for (uint k = 0u; k < raysOutwards; ++k) {
     Meeting meeting = meetings[i * raysOutwards + k];
     if (meeting.cluster == noCluster) continue;
-    vec3 light = meeting.share * mix(enteredBefore[meeting.cluster].rgb, latest[meeting.cluster].rgb, meeting.transmitted);
+    vec3 light = meeting.share * lightOf(meeting.cluster, meeting.transmitted);
+    sum += light;
+    if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
+  }
+  uint end = (i + 1u) * raysOutwards * meetingsBehindRay;
+  for (uint k = i * raysOutwards * meetingsBehindRay; k < end; ++k) {
+    MeetingBehind meeting = behind[k];
+    if (meeting.cluster == noCluster) continue;
+    vec3 share = vec3(meeting.share[0], meeting.share[1], meeting.share[2]);
+    vec3 light = share * lightOf(meeting.cluster, meeting.transmitted);
     sum += light;
     if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
   }

@@ -31,6 +31,8 @@ layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares
 layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
 layout(std430, set = 0, binding = 12) buffer SkySums { SkySum skySums[]; };  // over earlier rays
 
+layout(std430, set = 0, binding = 14) buffer MeetingsBehind { MeetingBehind behind[]; };
+
 layout(constant_id = 0) const uint withThinParts = 0u;
 layout(constant_id = 1) const uint withPaint = 0u;
 
@@ -74,6 +76,11 @@ uint firstPieceOf(uint object) {
 }
 
 #include "lib/through_bodies.glsl"
+
+// Where what the k-th ray of a cluster meets behind thin parts is noted.
+uint firstBehind(uint cluster, uint k) {
+  return (cluster * raysOutwards + k) * meetingsBehind;
+}
 
 struct PieceFrame {
   vec3 middle;
@@ -171,7 +178,36 @@ void addFree(vec3 part, RayOutwards ray, inout SkySum sum) {
   sum.slant += dot(ray.radiance, part) * cosineInside(ray.eta, ray.cosine);
 }
 
-// Adds what comes from behind thin parts of bodies along some of the lane's rays: those in `thin`, a bit for each.
+// The cluster that a ray meets, the part of its light that enters by this ray, and what is transmitted there.
+Meeting meetingAt(RayHit hit, RayOutwards ray) {
+  ObjectData met = objects[objectOfPiece(hit.piece)];
+  uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
+  float cosine = -windingOf(cluster) * dot(facetNormal(hit.piece), ray.direction);
+  if (cosine < 0.0 && hasBack(met)) {
+    cluster = backOf(cluster, met);
+    cosine = -cosine;
+  }
+  if (cosine <= 0.0) return Meeting(noCluster, 0.0, 0.0);
+  MediumData other = mediumAt(met, ray.origin + hit.distance * ray.direction);
+  float entering = min(ray.entering, bodiesOfRay * pi * largestShareOf(met, ray.origin, ray.normal));
+  return Meeting(cluster, entering / (other.inside.extinction.w * pi), transmittedInto(other.boundary.x, cosine));
+}
+
+// Adds what comes from behind a thin part of a body along a ray, and notes what is met there, from `first` on.
+void lookBehind(RayOutwards ray, RayHit hit, float least, RayTarget scene, uint first, inout SkySum sum) {
+  Crossing its = crossingFrom(hit, 3e38);
+  uint count = 0u;
+  while (its.hit.piece != noPiece && passesSurface(ray.origin, ray.direction, least, 3e38, scene, its)) {
+    if (!isOutside(its) || its.hit.piece == noPiece || count == meetingsBehind) continue;
+    Meeting meeting = meetingAt(its.hit, ray);
+    if (meeting.cluster == noCluster) continue;
+    vec3 share = meeting.share * its.through;
+    behind[first + count++] = MeetingBehind(meeting.cluster, float[3](share.r, share.g, share.b), meeting.transmitted);
+  }
+  if (its.hit.piece == noPiece && isOutside(its)) addFree(its.through, ray, sum);
+}
+
+// Does so for some of the lane's rays: those in `thin`, a bit for each.
 void lookThrough(uvec2 thin, uint i, uint lane, Cluster cluster, ClusterRange range, inout SkySum sum) {
   ObjectData own = objects[range.object];
   float least = rayStartOf(cluster);
@@ -180,9 +216,10 @@ void lookThrough(uvec2 thin, uint i, uint lane, Cluster cluster, ClusterRange ra
     uint word = thin.x != 0u ? 0u : 1u;
     uint bit = findLSB(thin[word]);
     thin[word] &= thin[word] - 1u;
-    RayOutwards ray = rayOutwards(i, firstRay + lane + (32u * word + bit) * lanes, cluster, range, own);
+    uint k = firstRay + lane + (32u * word + bit) * lanes;
+    RayOutwards ray = rayOutwards(i, k, cluster, range, own);
     RayHit hit = nearestHit(ray.origin, ray.direction, least, 3e38, scene);
-    addFree(throughBodies(ray.origin, ray.direction, hit, least, 3e38, scene).rgb, ray, sum);
+    lookBehind(ray, hit, least, scene, firstBehind(i, k), sum);
   }
 }
 
@@ -195,6 +232,8 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
   uvec2 thin = uvec2(0u);  // rays that meet what light may get through
   for (uint k = firstRay + lane; k < endRay; k += lanes) {
     meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
+    if (withThinParts != 0u)
+      for (uint n = 0u; n < meetingsBehind; ++n) behind[firstBehind(i, k) + n].cluster = noCluster;
     if (range.kind == lining) continue;  // within a body
     RayOutwards ray = rayOutwards(i, k, cluster, range, own);
     if (ray.cosine <= 0.0) continue;
@@ -208,19 +247,7 @@ SkySum lookAround(uint i, uint lane, Cluster cluster, ClusterRange range) {
       sum.nearness += 1.0 / max(hit.distance, least);
       sum.meets += 1.0;
       if (hit.distance < closeInEdges * edgeOf(cluster)) sum.closeEven += ray.entering;
-      ObjectData met = objects[objectOfPiece(hit.piece)];
-      MediumData other = mediumAt(met, ray.origin + hit.distance * ray.direction);
-      uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
-      float cosine = -windingOf(cluster) * dot(facetNormal(hit.piece), ray.direction);
-      if (cosine < 0.0 && hasBack(met)) {
-        cluster = backOf(cluster, met);
-        cosine = -cosine;
-      }
-      if (cosine > 0.0) {
-        float entering = min(ray.entering, bodiesOfRay * pi * largestShareOf(met, ray.origin, ray.normal));
-        meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
-                                                 transmittedInto(other.boundary.x, cosine));
-      }
+      meetings[i * raysOutwards + k] = meetingAt(hit, ray);
     }
   }
   if (withThinParts != 0u) lookThrough(thin, i, lane, cluster, range, sum);
@@ -327,6 +354,10 @@ void main() {
   // With this, all that can enter of even light does, from wherever it comes.
   float whole = pi * insideOf(body).extinction.w / max(sum.all.w, 1e-30);
   if (isThere && raysToBright() > 0u)
-    for (uint k = lane; k < raysOutwards; k += lanes) meetings[i * raysOutwards + k].share *= whole;
+    for (uint k = lane; k < raysOutwards; k += lanes) {
+      meetings[i * raysOutwards + k].share *= whole;
+      if (withThinParts != 0u)
+        for (uint n = 0u; n < 3u * meetingsBehind; ++n) behind[firstBehind(i, k) + n / 3u].share[n % 3u] *= whole;
+    }
   if (puts) put(i, cluster, range, thickness, ofThickness, sum);
 }

@@ -30,16 +30,26 @@ vec3 throughPaint(uint cluster, BoundaryMedium medium, float cosine) {
   return throughLayer(clusterPaints[cluster].entering.rgb, medium.sigma.w, cosine);
 }
 
-// Light on its way through bodies.
+// Light on its way through bodies, from a place outside of them all.
 struct Crossing {
-  vec3 through;  // what is left
-  uint inside;   // the object that it is in, or everyObject
-  float from;    // where it entered that
-  float longer;  // the refracted way there over the straight one
-  float reach;   // where nothing is left of it
-  vec3 side;     // outwards, where it entered that
-  float parallel;  // 1 where it has gone through parallel sides alone
+  RayHit hit;       // what it meets next
+  uint surfaces;    // that it has met before
+  vec3 through;     // what is left
+  uint inside;      // the object that it is in, or everyObject
+  float from;       // where it entered that
+  float longer;     // the refracted way there over the straight one
+  float reach;      // where nothing is left of it
+  vec3 side;        // outwards, where it entered that
+  float parallel;   // 1 where it has gone through parallel sides alone
 };
+
+Crossing crossingFrom(RayHit hit, float furthest) {
+  return Crossing(hit, 0u, vec3(1.0), everyObject, 0.0, 0.0, furthest, vec3(0.0), 1.0);
+}
+
+bool isOutside(Crossing its) {
+  return its.inside == everyObject;
+}
 
 // Goes into a cluster's object, or out of it, where the surface has that unit normal outwards.
 void goThrough(uint cluster, float distance, vec3 side, vec3 direction, vec3 place, float furthest, inout Crossing its) {
@@ -49,7 +59,7 @@ void goThrough(uint cluster, float distance, vec3 side, vec3 direction, vec3 pla
   float cosine = min(abs(dot(side, direction)), 1.0);
   float inside = cosineInside(eta, cosine);
   float longer = cosine / inside;
-  bool enters = its.inside == everyObject;
+  bool enters = isOutside(its);
   its.through *= 1.0 - fresnelReflectance(eta, cosine);
   if (withPaint != 0u) its.through *= throughPaint(cluster, medium, inside);
   if (!enters) its.through *= exp(-0.5 * (its.longer + longer) * (distance - its.from) * medium.collision.rgb);
@@ -62,26 +72,30 @@ void goThrough(uint cluster, float distance, vec3 side, vec3 direction, vec3 pla
   its.longer = longer;
 }
 
+// Goes through the surface that is met next. False if that ends the way.
+bool passesSurface(vec3 origin, vec3 direction, float least, float furthest, RayTarget scene, inout Crossing its) {
+  uint object = objectOfPiece(its.hit.piece);
+  uint cluster = clusterOfSurfel[its.hit.piece / piecesPerSurfel];
+  vec3 side = windingOf(cluster) * facetNormal(its.hit.piece);
+  float outwards = dot(side, direction);
+  bool startsInside = its.surfaces == 0u && outwards >= 0.0;
+  if (++its.surfaces > mostSurfacesOfWay || largestOf(its.through) < leastThrough) return false;
+  if (ranges[cluster].kind != bodyWithInside || (isOutside(its) ? startsInside : object != its.inside)) return false;
+  // Else it is the neighbour of a piece whose edge the ray has passed.
+  if (isOutside(its) == outwards < 0.0)
+    goThrough(cluster, its.hit.distance, side, direction, origin + its.hit.distance * direction, furthest, its);
+  its.hit = nearestHit(origin, direction, its.hit.distance + least, its.reach, scene);
+  return true;
+}
+
 // Light that refracts into a wall and out of its other side goes on in the direction from which it came, if the sides
 // are parallel. So it is followed straight on, and its way within is as much longer than the wall is thick as that of
 // a refracted ray. `origin` is outside of all bodies, and `hit` what the light meets first. w is Crossing::parallel.
 vec4 throughBodies(vec3 origin, vec3 direction, RayHit hit, float least, float furthest, RayTarget scene) {
-  const vec4 nothing = vec4(vec3(0.0), 1.0);
-  Crossing its = Crossing(vec3(1.0), everyObject, 0.0, 0.0, furthest, vec3(0.0), 1.0);
-  for (uint k = 0u; k < mostSurfacesOfWay && hit.piece != noPiece; ++k) {
-    uint object = objectOfPiece(hit.piece);
-    uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
-    vec3 side = windingOf(cluster) * facetNormal(hit.piece);
-    float outwards = dot(side, direction);
-    bool isOutside = its.inside == everyObject;
-    bool blocks = ranges[cluster].kind != bodyWithInside || (isOutside ? k == 0u && outwards >= 0.0 : object != its.inside);
-    if (blocks || largestOf(its.through) < leastThrough) return nothing;
-    // Else it is the neighbour of a piece whose edge the ray has passed.
-    if (isOutside == outwards < 0.0)
-      goThrough(cluster, hit.distance, side, direction, origin + hit.distance * direction, furthest, its);
-    hit = nearestHit(origin, direction, hit.distance + least, its.reach, scene);
-  }
-  return hit.piece == noPiece && its.inside == everyObject ? vec4(its.through, its.parallel) : nothing;
+  Crossing its = crossingFrom(hit, furthest);
+  while (its.hit.piece != noPiece)
+    if (!passesSurface(origin, direction, least, furthest, scene, its)) return vec4(vec3(0.0), 1.0);
+  return isOutside(its) ? vec4(its.through, its.parallel) : vec4(vec3(0.0), 1.0);
 }
 
 #endif

@@ -214,6 +214,14 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// What it met behind thin parts of bodies.
+struct MeetingBehind {
+  uint cluster;    // or noCluster
+  float share[3];  // by channel
+  float transmitted;
+};
+OPALINE_BOUNDARY_CONSTANT meetingsBehind = 2u;  // of a ray at most
+
 /// Numbers of all clusters are kept as the bits of floats: for each light the largest power of
 /// mirrored light, and then, three channels each, the largest irradiances that entered: after a
 /// bounce that of all light, of light from everywhere, and of each light (lib/peaks.glsl).
