@@ -284,9 +284,11 @@ struct Clusters {
   gpu::Buffer keptBeams;         ///< the kept entries, see shared::countsOfKept
   std::uint32_t roomOfKept = 0;  ///< entries of all tiles and kinds
   gpu::Buffer sources;           ///< vec4 per cluster: fluence in an infinite medium
-  gpu::Buffer skyShares;         ///< vec4 per cluster: part of the sky's irradiance that enters
-  gpu::Buffer entered;   ///< vec4 per cluster: irradiance of the diffuse light that entered last
-  gpu::Buffer fromAfar;  ///< the part of it that comes from afar; none for one body alone
+  gpu::Buffer withheld;   ///< float per cluster: part of the even light that enters and that the
+                          ///< other side mirrors because it is concave
+  gpu::Buffer skyShares;  ///< vec4 per cluster: part of the sky's irradiance that enters
+  gpu::Buffer entered;    ///< vec4 per cluster: irradiance of the diffuse light that entered last
+  gpu::Buffer fromAfar;   ///< the part of it that comes from afar; none for one body alone
   gpu::Buffer enteredBefore;  ///< the same for the light before that, if it is mirrored to one side
   gpu::Buffer enteredInAll;   ///< vec4 per translucent cluster: irradiance of all that has entered
   gpu::Buffer power;   ///< vec4: of all diffuse light of the last bounce but one; then the factor

@@ -138,18 +138,44 @@ TEST_F(BoundaryThroughTest, ALeafBehindAWallShinesOnItsOtherSide) {
   }
 }
 
+Mesh shell(float radiusMm, float wallMm) {
+  Mesh inner = sphere({0, 0, 0}, radiusMm - wallMm, 4);
+  for (Triangle& triangle : inner.triangles) std::swap(triangle[1], triangle[2]);
+  for (Vec3& normal : inner.normals) normal = {-normal[0], -normal[1], -normal[2]};
+  return together(sphere({0, 0, 0}, radiusMm, 4), inner);
+}
+
 // The index is low, so that the shell mirrors none of the ball's own light.
 TEST_F(BoundaryThroughTest, TheSkyThroughAShellFollowsFresnelAndBeer) {
   Scene scene = ball();
   scene.lighting.ambient = {1, 1, 1};
   const std::array<double, 3> open = exitanceOfBall(scene);
-  Mesh inner = sphere({0, 0, 0}, 59, 4);
-  for (Triangle& triangle : inner.triangles) std::swap(triangle[1], triangle[2]);
-  for (Vec3& normal : inner.normals) normal = {-normal[0], -normal[1], -normal[2]};
-  scene.objects.push_back({"shell", together(sphere({0, 0, 0}, 60, 4), inner), grey(1.02F)});
+  scene.objects.push_back({"shell", shell(60, 1), grey(1.02F)});
   const std::array<double, 3> within = exitanceOfBall(scene);
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(within[c] / open[c], through(c, 1, 1, 1.02), 0.01) << c;
+}
+
+// Seen from outside and from its middle. The expected values are those of `opaline reference --path
+// --aov exitance` of a finer mesh, within 1 %.
+TEST_F(BoundaryThroughTest, AThinHollowBallInEvenLightIsThatOfPathTracing) {
+  Scene scene = sceneOf(shell(10, 0.7F), *findMedium("gummy-orange"), {0, 0, 40}, 11);
+  scene.lighting.ambient = {1, 1, 1};
+  const std::array<std::array<double, 3>, 2> expected{
+      {{1.274, 1.076, 0.606}, {1.134, 0.952, 0.544}}};
+  for (const bool within : {false, true}) {
+    if (within) {
+      scene.camera.positionMm = {0, 0, 0.01F};
+      scene.camera.targetMm = {0, 0, 5};
+      scene.camera.verticalFovDegrees = 90;
+    }
+    const RenderResult result =
+        renderBoundary(scene, boundaryOptions(64, 2), {Aov::Exitance, Aov::Position});
+    const std::array<double, 3> mean =
+        meanWhere(result.images[0], result.images[1], [](const Vector&) { return true; });
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(mean[c] / expected.at(within)[c], 1, 0.09) << within << ' ' << c;
+  }
 }
 
 constexpr double floorMm = 160;  // edge of a lit floor along x, from 0

@@ -325,6 +325,7 @@ Clusters makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                               trees * groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
+  clusters.withheld = makeRoom<float>(device, "light withheld by other sides", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);
   if (surfels.firstOfObject.size() > 2)
     clusters.fromAfar = makeRoom<shared::vec4>(device, "diffuse light from afar", count);

@@ -16,6 +16,7 @@
 #include "lib/peaks.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
+#include "lib/texels.glsl"
 #include "lib/unit.glsl"
 
 layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -27,11 +28,12 @@ layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths
 layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
-layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
+TEXELS(14, skyShares);  // of clusters
 layout(std430, set = 0, binding = 16) readonly buffer OpaqueShares { OpaqueShare opaqueShares[]; };
 layout(std430, set = 0, binding = 17) writeonly buffer Collisions { FirstCollision collisions[]; };
 
 layout(std430, set = 0, binding = 18) buffer Strongest { uint strongest[]; };
+layout(std430, set = 0, binding = 19) readonly buffer Withheld { float withheld[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(constant_id = 1) const uint withLinings = 0u;
@@ -79,9 +81,10 @@ const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
 const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 const float twoAt[2] = float[2](0.211324865, 0.788675135);
 
-// `returns` is the part of what gets to the end that is mirrored there and goes to and fro.
+// `returns` is the part of what gets to either end that is mirrored there and goes to and fro, and `withheldThere` the part of
+// the rest that the far end does not let out.
 void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction,
-                  float returns) {
+                  float returns, float withheldThere) {
   vec3 less = thinner * extinction;
   vec3 within = 1.0 - exp(-less * lengthMm);
   vec3 lengths[pointsOfFirstSegment];
@@ -93,7 +96,8 @@ void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float
     all += shares[p];
   }
   vec3 passes = exp(-extinction * lengthMm);
-  vec3 collides = (1.0 - passes) / (1.0 - returns * passes);
+  float returnsThere = mix(returns, 1.0, withheldThere);
+  vec3 collides = (1.0 - passes) * (1.0 + returnsThere * passes) / (1.0 - returns * returnsThere * passes * passes);
   for (uint p = 0u; p < pointsOfFirstSegment; ++p)
     put(body, cluster, origin, direction, lengthMm, lengths[p], shares[p] / all * collides);
 }
@@ -138,13 +142,13 @@ void reflections(Body body, Cluster cluster, vec3 origin, vec3 direction, RayHit
 }
 
 // Light from everywhere goes straight inwards, and meets the other side of the body, or a lining.
-void throughBody(Body body, Cluster cluster) {
+void throughBody(uint i, Body body, Cluster cluster) {
   vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
   RayHit hit = RayHit(0.0, noPiece);
   if (withLinings != 0u) hit = nextHit(body, cluster.start.xyz, -cluster.facet.xyz, 3e38);
   bool meetsLining = hit.piece != noPiece && isLining(hit.piece);
   firstSegment(body, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction,
-               meetsLining ? 0.0 : body.medium.scatters.w);
+               meetsLining ? 0.0 : body.medium.scatters.w, meetsLining ? 0.0 : withheld[i]);
   if (meetsLining) reflections(body, cluster, cluster.start.xyz, -cluster.facet.xyz, hit, extinction);
 }
 
@@ -226,7 +230,7 @@ void main() {
     entries[light * clusterCount + i].irradiance = entry.irradiance;
   }
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
-  vec3 share = everywhere ? skyShares[i].rgb : vec3(1.0);
+  vec3 share = everywhere ? texelOf(skyShares, int(i)).rgb : vec3(1.0);
   noteEntered(everywhere ? peakOfEverywhere : peakOfFirstLight + light, share * entry.irradiance.rgb);
   if (everywhere) {
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
@@ -236,7 +240,7 @@ void main() {
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   float cosineInside = body.medium.sigma.w;
   if (everywhere) {
-    throughBody(body, cluster);
+    throughBody(i, body, cluster);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
     vec3 toLight = light < firstAreaLight() ? incidentLight(light, entry.place.xyz).direction
@@ -252,7 +256,7 @@ void main() {
       if (mean > 0.0) longer = max(cosineInside / mean, 1.0);
     }
     firstSegment(body, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
-                 longer * body.medium.collision.rgb, 0.0);
+                 longer * body.medium.collision.rgb, 0.0, 0.0);
     reflections(body, cluster, entry.start.xyz, direction, hit, body.medium.collision.rgb);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);

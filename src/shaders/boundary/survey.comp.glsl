@@ -32,6 +32,7 @@ layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightS
 layout(std430, set = 0, binding = 12) buffer SkySums { SkySum skySums[]; };  // over earlier rays
 
 layout(std430, set = 0, binding = 14) buffer MeetingsBehind { MeetingBehind behind[]; };
+layout(std430, set = 0, binding = 15) writeonly buffer Withheld { float withheld[]; };
 
 layout(constant_id = 0) const uint withThinParts = 0u;
 layout(constant_id = 1) const uint withPaint = 0u;
@@ -273,29 +274,42 @@ float thicknessOf(RayHit through) {
   return through.piece == noPiece ? 1e18 : through.distance;
 }
 
+// From the concave side of a bent wall the way at a slant is shorter. The wall guides light as far as a flat one does.
+const float stillParallel = 1.15;
+
 // How nearly parallel to a place the other side is, if it mirrors; a lining does not.
 float parallelTo(PieceFrame place, vec3 aside, RayHit through, Cluster cluster, ObjectData body) {
   if (through.piece == noPiece || ranges[clusterOfSurfel[through.piece / piecesPerSurfel]].kind == lining) return 0.0;
   vec3 slanting = sqrt(1.0 - cosineOfSlant * cosineOfSlant) * aside - cosineOfSlant * place.normal;
   float way = thicknessOf(otherSide(place.middle, slanting, cluster, body));
-  return min(cosineOfSlant * way / max(through.distance, 1e-30), 1.0);
+  return min(stillParallel * cosineOfSlant * way / max(through.distance, 1e-30), 1.0);
 }
 
-// A sum over places all over the cluster. The last lanes take them, because they have the fewest rays outwards.
-vec3 escapeBelow(uint lane, Cluster cluster, ClusterRange range, ObjectData body) {
-  if (range.kind != bodyWithInside) return vec3(0.0);
+// How much of the even light that enters and comes to the other side is mirrored there altogether because that side is
+// concave, as around a hollow. Light that has entered at a slant meets such a side at a wider angle than it has entered.
+float withheldBy(RayHit through) {
+  if (through.piece == noPiece) return 0.0;
+  float curvature = clusters[clusterOfSurfel[through.piece / piecesPerSurfel]].escape.w;
+  float sine = 1.0 / (1.0 + through.distance * max(-curvature, 0.0));
+  return 1.0 - sine * sine;
+}
+
+// Means over places all over the cluster, of what thickness does to light that leaves; w: of what is withheld. The last
+// lanes take them, because they have the fewest rays outwards.
+vec4 lookWithin(uint lane, Cluster cluster, ClusterRange range, ObjectData body) {
+  if (range.kind != bodyWithInside) return vec4(0.0);
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
-  vec3 sum = vec3(0.0);
+  vec4 sum = vec4(0.0);
   for (uint k = lanes - 1u - lane; k < placesInwards; k += lanes) {
     PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * placesInwards), cluster.along.w);
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
     RayHit through = otherSide(place.middle, -place.normal, cluster, body);
     vec3 aside = k % 2u == 0u ? place.along : cross(place.normal, place.along);
     float parallel = parallelTo(place, k % 4u < 2u ? aside : -aside, through, cluster, body);
-    sum += escapeByThickness(insideOf(body), thicknessOf(through), parallel);
+    sum += vec4(escapeByThickness(insideOf(body), thicknessOf(through), parallel), parallel * withheldBy(through));
   }
-  return sum;
+  return sum / float(placesInwards);
 }
 
 // A covered cluster, as between a poster and its wall, is not seen, and says nothing of the layer above it
@@ -310,7 +324,7 @@ float opennessOf(SkySum sum) {
 }
 
 // Writes what is then known of a cluster. Without rays it sees all of the sky, and from within a body nothing.
-void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofThickness, SkySum sum) {
+void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec4 within, SkySum sum) {
   ObjectData body = objects[range.object];
   float mean = insideOf(body).sigma.w;
   bool looks = raysOutwards > 0u && range.kind != lining;
@@ -328,7 +342,8 @@ void put(uint i, Cluster cluster, ClusterRange range, float thickness, vec3 ofTh
   float edge = sqrt(cluster.centroidArea.w);
   float counts = range.kind == openBody ? 0.0 : range.kind == opaqueBody ? openness : 1.0;
   clusters[i].second = vec4(shareOfSecond(insideOf(body), edge), counts);
-  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), cluster.escape.w, ofThickness);
+  if (range.kind == bodyWithInside) clusters[i].escape.rgb = escapeOf(insideOf(body), cluster.escape.w, within.rgb);
+  withheld[i] = within.w;
 }
 
 void main() {
@@ -348,8 +363,7 @@ void main() {
     if (puts) skySums[i] = sum;
     return;
   }
-  vec3 ofThickness = isThere ? escapeBelow(lane, cluster, range, body) : vec3(0.0);
-  ofThickness = sumOfLanes(vec4(ofThickness, 0.0)).rgb / float(placesInwards);
+  vec4 within = sumOfLanes(isThere ? lookWithin(lane, cluster, range, body) : vec4(0.0));
   float thickness = puts ? thicknessOf(otherSide(cluster.start.xyz, -cluster.facet.xyz, cluster, body)) : 0.0;
   // With this, all that can enter of even light does, from wherever it comes.
   float whole = pi * insideOf(body).extinction.w / max(sum.all.w, 1e-30);
@@ -359,5 +373,5 @@ void main() {
       if (withThinParts != 0u)
         for (uint n = 0u; n < 3u * meetingsBehind; ++n) behind[firstBehind(i, k) + n / 3u].share[n % 3u] *= whole;
     }
-  if (puts) put(i, cluster, range, thickness, ofThickness, sum);
+  if (puts) put(i, cluster, range, thickness, within, sum);
 }
