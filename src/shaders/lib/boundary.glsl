@@ -57,8 +57,16 @@ struct Discs {
   vec3 whereAbsorbed;  // for each channel, how much of the mean over discs is wanted
 };
 
-Discs discsBetween(float areaMm2, float areaOfOtherMm2, BoundaryMedium medium) {
-  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium));
+// A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
+// much light that clusters beside them would differ.
+float narrownessOf(float areaMm2, float thicknessMm) {
+  return 1.0 - smoothstep(0.3, 0.6, sqrt(areaMm2) / max(thicknessMm, 1e-30));
+}
+
+// To a cluster of that area from another, which is that narrow for its part of the body.
+Discs discsBetween(float areaMm2, float areaOfOtherMm2, float narrowness, BoundaryMedium medium) {
+  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi),
+               narrowness * (1.0 - whitenessOf(medium)));
 }
 
 // e^{-σr}/r as a mean over both discs, to second order in how far places on them are aside: K + q(∇² - ∂²/∂z²)K with

@@ -12,14 +12,8 @@ struct Sender {
   vec3 ofFirst;  // power
   vec3 ofSecond;
   float areaMm2;  // of the disc that the light entered through
-  float asDisc;   // how much of the mean over discs is wanted
+  float narrowness;
 };
-
-// A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
-// much light that clusters beside them would differ.
-float narrownessOf(Cluster cluster) {
-  return 1.0 - smoothstep(0.3, 0.6, sqrt(cluster.centroidArea.w) / max(cluster.start.w, 1e-30));
-}
 
 // The sender of that power.
 Sender senderOf(uint cluster, vec3 power) {
@@ -30,7 +24,7 @@ Sender senderOf(uint cluster, vec3 power) {
   uint firstCount = first == vec3(0.0) ? 0u : counts.x;
   return Sender(cluster, beam, firstCount, firstCount + counts.y, power * way.overDiffusion * first,
                 power * way.overDiffusion * shareOfSecond(from, medium), from.centroidArea.w,
-                narrownessOf(from));
+                narrownessOf(from.centroidArea.w, from.start.w));
 }
 
 BeamPoint pointOf(Sender from, uint p) {
@@ -90,8 +84,7 @@ vec3 depthsBelow(uint target, BeamPoint point) {
 // Adds to all clusters of the tile but the one that is `without`.
 void addPoint(BeamPoint point, vec3 power, Sender from, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    Discs discs = discsBetween(targets[t].w, from.areaMm2, medium);
-    discs.whereAbsorbed *= from.asDisc;
+    Discs discs = discsBetween(targets[t].w, from.areaMm2, from.narrowness, medium);
     vec3 squared = squaredDistances(point, targets[t].xyz);
     vec3 light = power * kernelBetween(discs, way.sigma, squared, depthsBelow(t, point));
     if (t != without) tileLight[t] += light;
