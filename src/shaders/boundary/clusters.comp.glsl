@@ -86,7 +86,7 @@ void main() {
   float curvature = clamp(turned / max(spread, 1e-30), -mostCurved, mostCurved);
   float reach = range.kind == lining ? 0.0 : max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
-                        vec4(middleOf(there), range.thickness), vec4(along, side), vec4(facet, 0.0), vec4(0.0), vec4(vec3(1.0), curvature));
+                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0), vec4(vec3(1.0), curvature));
   if (!boundsDiffusion(range.kind)) {
     cluster.centroidArea.w = 0.0;
     cluster.vectorArea = vec4(0.0);

@@ -57,16 +57,8 @@ struct Discs {
   vec3 whereAbsorbed;  // for each channel, how much of the mean over discs is wanted
 };
 
-// A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
-// much light that clusters beside them would differ.
-float narrownessOf(float areaMm2, float thicknessMm) {
-  return 1.0 - smoothstep(0.3, 0.6, sqrt(areaMm2) / max(thicknessMm, 1e-30));
-}
-
-// To a cluster of that area from another, which is that narrow for its part of the body.
-Discs discsBetween(float areaMm2, float areaOfOtherMm2, float narrowness, BoundaryMedium medium) {
-  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi),
-               narrowness * (1.0 - whitenessOf(medium)));
+Discs discsBetween(float areaMm2, float areaOfOtherMm2, BoundaryMedium medium) {
+  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium));
 }
 
 // e^{-σr}/r as a mean over both discs, to second order in how far places on them are aside: K + q(∇² - ∂²/∂z²)K with
@@ -82,6 +74,15 @@ vec3 kernelBetween(Discs discs, vec3 sigma, vec3 squared, vec3 depth) {
   vec3 across = (0.5 * discs.smoothing + discs.spread) * (1.0 + 1.6 * x);
   vec3 along = discs.spread * (depth * depth + 0.565 * discs.smoothing) * over2 * (3.0 + x * (3.0 + x));
   return exp(-x) * over * max(1.0 + discs.whereAbsorbed * (across - along) * over2, 0.2);
+}
+
+// The same where discs are too wide for their part of the body: e^{-σr}/r for smoothed distances, times what a plane of
+// clusters at that depth, mm, lacks by the smoothing.
+vec3 kernelBetweenWide(Discs discs, vec3 sigma, vec3 squared, float depth) {
+  float lost = sqrt(depth * depth + discs.smoothing) - depth;
+  squared += discs.smoothing;
+  vec3 over = inversesqrt(squared);
+  return exp(sigma * (discs.whereAbsorbed * lost - squared * over)) * over;
 }
 
 // Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface itself: all

@@ -14,7 +14,6 @@ struct ActingNode {
   float area;
   vec3 second;    // how much more its single layer gives from afar than from its middle
   uint cluster;   // of a leaf
-  float narrowness;
   Moment moment;
 };
 
@@ -24,10 +23,8 @@ ActingNode actingNode(uint at) {
   vec4 spread = spreadOf(at);
   uint link = floatBitsToUint(centroidLink.w);
   takeWayFrom(at);
-  uint cluster = firstSurfelOf(link);
-  float narrowness = isLeaf(link) ? narrownessOf(spread.w, texelOf(clusterTexels, texelOfCluster(cluster, 3u)).w) : 0.0;
   return ActingNode(centroidLink.xyz, isLeaf(link), spread.x, spread.w,
-                    1.0 + way.sigma * way.sigma * (spread.y / 6.0), cluster, narrowness, momentOf(at));
+                    1.0 + way.sigma * way.sigma * (spread.y / 6.0), firstSurfelOf(link), momentOf(at));
 }
 
 // What a node's densities give, for each channel.
@@ -56,7 +53,7 @@ Action actionOn(uint t, ActingNode node, vec3 weightS, float openingAngle) {
   vec3 single;
   if (node.leaf) {
     float depth = dot(offset, targetNormals[t].xyz);
-    single = kernelBetween(discsBetween(target.w, node.area, node.narrowness, medium), sigma, vec3(squared), vec3(depth));
+    single = kernelBetween(discsBetween(target.w, node.area, medium), sigma, vec3(squared), vec3(depth));
   } else {
     single = kernel(vec3(squared + smoothingOf(target.w, 0.0)));
   }

@@ -13,7 +13,14 @@ struct Sender {
   vec3 ofSecond;
   float areaMm2;  // of the disc that the light entered through
   float narrowness;
+  float thicknessMm;
 };
+
+// A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
+// much light that clusters beside them would differ.
+float narrownessOf(Cluster cluster) {
+  return 1.0 - smoothstep(0.3, 0.6, sqrt(cluster.centroidArea.w) / max(cluster.start.w, 1e-30));
+}
 
 // The sender of that power.
 Sender senderOf(uint cluster, vec3 power) {
@@ -24,7 +31,7 @@ Sender senderOf(uint cluster, vec3 power) {
   uint firstCount = first == vec3(0.0) ? 0u : counts.x;
   return Sender(cluster, beam, firstCount, firstCount + counts.y, power * way.overDiffusion * first,
                 power * way.overDiffusion * shareOfSecond(from, medium), from.centroidArea.w,
-                narrownessOf(from.centroidArea.w, from.start.w));
+                narrownessOf(from), from.start.w);
 }
 
 BeamPoint pointOf(Sender from, uint p) {
@@ -84,9 +91,10 @@ vec3 depthsBelow(uint target, BeamPoint point) {
 // Adds to all clusters of the tile but the one that is `without`.
 void addPoint(BeamPoint point, vec3 power, Sender from, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    Discs discs = discsBetween(targets[t].w, from.areaMm2, from.narrowness, medium);
+    Discs discs = discsBetween(targets[t].w, from.areaMm2, medium);
     vec3 squared = squaredDistances(point, targets[t].xyz);
-    vec3 light = power * kernelBetween(discs, way.sigma, squared, depthsBelow(t, point));
+    vec3 light = power * mix(kernelBetweenWide(discs, way.sigma, squared, 0.5 * from.thicknessMm),
+                             kernelBetween(discs, way.sigma, squared, depthsBelow(t, point)), from.narrowness);
     if (t != without) tileLight[t] += light;
   }
 }

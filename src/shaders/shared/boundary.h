@@ -82,12 +82,11 @@ struct Cluster {
   vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
   vec4 vectorArea;  // A = Σ a n, mm²; w: c, the share of the solid angle that the body fills there,
                     // found from the other clusters
-  vec4 start;  // a place on the surface near the centroid, mm; w: thickness of the body, in the
-               // rest pose until rays have found it, or in front of an opaque one the harmonic mean
-               // distance to what lies there, mm
-  vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where its triangles are
-               // wound the other way, because the body is mirrored or this is its back
-  vec4 facet;  // unit, outwards there; w: mean cosine inside the body of sky light that enters
+  vec4 start;   // a place on the surface near the centroid, mm; w: thickness of the body, or in
+                // front of an opaque one the harmonic mean distance to what lies there, mm
+  vec4 along;   // unit, in the surface there, moving with it; w: 1, or -1 where its triangles are
+                // wound the other way, because the body is mirrored or this is its back
+  vec4 facet;   // unit, outwards there; w: mean cosine inside the body of sky light that enters
   vec4 second;  // rgb: part of the light that is followed to its second collision; w: how much
                 // the cluster counts among those around a place; 0 in an open body
   vec4 escape;  // rgb: A of a plane over that of the cluster (lib/escape.glsl); w: mean curvature,
