@@ -45,9 +45,6 @@ std::uint32_t roomOfList(std::uint32_t nodes, std::size_t tiles) {
   return static_cast<std::uint32_t>(std::min<std::size_t>(room, std::size_t{nodes} + 1));
 }
 
-// Rays by which a cluster finds what it sees.
-constexpr std::uint32_t raysOutwards = 48;
-
 // How many of them one dispatch sends. Where loops end early, that depends on how many pieces rays
 // go through.
 std::uint32_t raysAtOnce(const gpu::Device& device, std::uint32_t piecesPerSurfel) {

@@ -14,6 +14,9 @@ class Device;
 
 namespace opaline::passes {
 
+/// Rays by which a cluster finds what it sees.
+constexpr std::uint32_t raysOutwards = 48;
+
 /// The roles of a scene's parts in boundary transport.
 struct BodyKinds {
   std::vector<bool> triangleHasInside;  ///< of all objects

@@ -20,10 +20,11 @@ void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene
                                                            std::move(onHost));
   if (!scene.materials.empty() && scene.surfels.pieces)
     passes.opaque.cutOut(device, scene.surfels, scene.opaque, resources.tables);
-  if (scene.clusters.ranges)
+  if (scene.clusters.ranges) {
     passes.opaque.makeShares(device, scene.mesh, scene.surfels, scene.clusters, scene.opaque,
                              !scene.materials.empty(), resources.tables);
-  if (resources.tables.haveThinParts) passes::ClusterPass::makeRoomBehind(device, scene.clusters);
+    if (resources.tables.haveThinParts) passes::ClusterPass::makeRoomBehind(device, scene.clusters);
+  }
   passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   passes.ownSurfaces.makeTilts(device, scene.surfels, scene.opaque, resources.tables);
   // An existing sky was made for other indices of refraction.

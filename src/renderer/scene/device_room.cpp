@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "opaline/error.h"
+#include "passes/boundary/clusters.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
@@ -23,7 +24,8 @@ constexpr std::size_t bytesOfSurfel =
 constexpr std::size_t bytesOfCluster = std::max(
     {(shared::maxLights + 1) * sizeof(shared::Entry), shared::maxPoints * sizeof(shared::BeamPoint),
      (shared::maxSolverSteps + 1) * sizeof(shared::vec4),
-     shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile});
+     shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile,
+     passes::raysOutwards* shared::meetingsBehind * sizeof(shared::MeetingBehind)});
 
 }  // namespace
 

@@ -81,8 +81,8 @@ const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
 const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
 const float twoAt[2] = float[2](0.211324865, 0.788675135);
 
-// `returns` is the part of what gets to either end that is mirrored there and goes to and fro, and `withheldThere` the part of
-// the rest that the far end does not let out.
+// `returns` is the part of what gets to either end that is mirrored there and goes to and fro, and `withheldThere` the
+// part of the rest that the far end does not let out.
 void firstSegment(Body body, Cluster cluster, vec3 origin, vec3 direction, float lengthMm, vec3 extinction,
                   float returns, float withheldThere) {
   vec3 less = thinner * extinction;

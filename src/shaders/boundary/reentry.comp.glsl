@@ -10,6 +10,7 @@
 #define BINDING_SUMS 13
 #include "lib/diffuse_power.glsl"
 #include "lib/linear.glsl"
+#include "lib/meeting_behind.glsl"
 #include "lib/mirrored_sums.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -45,9 +46,13 @@ float shareFromAfar(Cluster cluster, vec3 place) {
                                        distance(place, cluster.centroidArea.xyz) / max(cluster.normal.w, 1e-15));
 }
 
-// What leaves a cluster and what is mirrored there of what entered before.
-vec3 lightOf(uint cluster, float transmitted) {
-  return mix(enteredBefore[cluster].rgb, latest[cluster].rgb, transmitted);
+// Adds the light of a cluster that was met, of which that share enters: what leaves there, and what is mirrored there of
+// what entered before.
+void add(uint met, vec3 share, float transmitted, Cluster cluster, inout vec3 sum, inout vec3 far) {
+  if (met == noCluster) return;
+  vec3 light = share * mix(enteredBefore[met].rgb, latest[met].rgb, transmitted);
+  sum += light;
+  if (withOthers != 0u) far += shareFromAfar(cluster, clusters[met].centroidArea.xyz) * light;
 }
 
 void main() {
@@ -58,19 +63,13 @@ void main() {
   vec3 far = vec3(0.0);
   for (uint k = 0u; k < raysOutwards; ++k) {
     Meeting meeting = meetings[i * raysOutwards + k];
-    if (meeting.cluster == noCluster) continue;
-    vec3 light = meeting.share * lightOf(meeting.cluster, meeting.transmitted);
-    sum += light;
-    if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
+    add(meeting.cluster, vec3(meeting.share), meeting.transmitted, cluster, sum, far);
   }
   uint end = (i + 1u) * raysOutwards * meetingsBehindRay;
   for (uint k = i * raysOutwards * meetingsBehindRay; k < end; ++k) {
     MeetingBehind meeting = behind[k];
-    if (meeting.cluster == noCluster) continue;
-    vec3 share = vec3(meeting.share[0], meeting.share[1], meeting.share[2]);
-    vec3 light = share * lightOf(meeting.cluster, meeting.transmitted);
-    sum += light;
-    if (withOthers != 0u) far += shareFromAfar(cluster, clusters[meeting.cluster].centroidArea.xyz) * light;
+    vec4 share = shareTransmittedOf(meeting);
+    add(meeting.cluster, share.rgb, share.w, cluster, sum, far);
   }
   float area = cluster.centroidArea.w;
   if (isFirst != 0u && lights > 0u) {

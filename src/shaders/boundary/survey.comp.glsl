@@ -16,6 +16,7 @@
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
 #include "lib/lanes.glsl"
+#include "lib/meeting_behind.glsl"
 #include "lib/over_or_0.glsl"
 #include "lib/rays.glsl"
 #include "lib/sky.glsl"
@@ -202,10 +203,9 @@ void lookBehind(RayOutwards ray, RayHit hit, float least, RayTarget scene, uint 
     if (!isOutside(its) || its.hit.piece == noPiece || count == meetingsBehind) continue;
     Meeting meeting = meetingAt(its.hit, ray);
     if (meeting.cluster == noCluster) continue;
-    vec3 share = meeting.share * its.through;
-    behind[first + count++] = MeetingBehind(meeting.cluster, float[3](share.r, share.g, share.b), meeting.transmitted);
+    behind[first + count++] = meetingBehind(meeting.cluster, vec4(meeting.share * its.through, meeting.transmitted));
   }
-  if (its.hit.piece == noPiece && isOutside(its)) addFree(its.through, ray, sum);
+  if (isThrough(its)) addFree(its.through, ray, sum);
 }
 
 // Does so for some of the lane's rays: those in `thin`, a bit for each.
@@ -371,7 +371,10 @@ void main() {
     for (uint k = lane; k < raysOutwards; k += lanes) {
       meetings[i * raysOutwards + k].share *= whole;
       if (withThinParts != 0u)
-        for (uint n = 0u; n < 3u * meetingsBehind; ++n) behind[firstBehind(i, k) + n / 3u].share[n % 3u] *= whole;
+        for (uint n = 0u; n < meetingsBehind; ++n) {
+          uint at = firstBehind(i, k) + n;
+          behind[at] = meetingBehind(behind[at].cluster, vec4(vec3(whole), 1.0) * shareTransmittedOf(behind[at]));
+        }
     }
   if (puts) put(i, cluster, range, thickness, within, sum);
 }

@@ -55,10 +55,20 @@ struct Discs {
   float smoothing;     // added to their squared distance, mm²
   float spread;        // a quarter of the mean square by which places on them are aside, mm²
   vec3 whereAbsorbed;  // for each channel, how much of the mean over discs is wanted
+  float narrowness;    // how much of that; less where they are wide for their part of the body
+  vec3 whereWide;      // what takes its place there, as a factor
 };
 
 Discs discsBetween(float areaMm2, float areaOfOtherMm2, BoundaryMedium medium) {
-  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium));
+  return Discs(smoothingOf(areaMm2, areaOfOtherMm2), (areaMm2 + areaOfOtherMm2) / (8.0 * pi), 1.0 - whitenessOf(medium),
+               1.0, vec3(1.0));
+}
+
+// What all clusters of that area on a plane at that depth, mm, lack together because distances are smoothed, as a factor.
+vec3 lackOfPlane(float areaMm2, float depth, vec3 sigma, BoundaryMedium medium) {
+  float smoothing = smoothingOf(areaMm2, areaMm2);
+  float shorter = smoothing / max(sqrt(depth * depth + smoothing) + depth, 1e-30);
+  return exp((1.0 - whitenessOf(medium)) * sigma * shorter);
 }
 
 // e^{-σr}/r as a mean over both discs, to second order in how far places on them are aside: K + q(∇² - ∂²/∂z²)K with
@@ -73,16 +83,8 @@ vec3 kernelBetween(Discs discs, vec3 sigma, vec3 squared, vec3 depth) {
   vec3 x = sigma * (squared * over);
   vec3 across = (0.5 * discs.smoothing + discs.spread) * (1.0 + 1.6 * x);
   vec3 along = discs.spread * (depth * depth + 0.565 * discs.smoothing) * over2 * (3.0 + x * (3.0 + x));
-  return exp(-x) * over * max(1.0 + discs.whereAbsorbed * (across - along) * over2, 0.2);
-}
-
-// The same where discs are too wide for their part of the body: e^{-σr}/r for smoothed distances, times what a plane of
-// clusters at that depth, mm, lacks by the smoothing.
-vec3 kernelBetweenWide(Discs discs, vec3 sigma, vec3 squared, float depth) {
-  float lost = sqrt(depth * depth + discs.smoothing) - depth;
-  squared += discs.smoothing;
-  vec3 over = inversesqrt(squared);
-  return exp(sigma * (discs.whereAbsorbed * lost - squared * over)) * over;
+  vec3 mean = max(1.0 + discs.whereAbsorbed * (across - along) * over2, 0.2);
+  return exp(-x) * over * mix(discs.whereWide, mean, discs.narrowness);
 }
 
 // Of diffuse light that enters through a cluster, the share that enters the diffusion at the surface itself: all

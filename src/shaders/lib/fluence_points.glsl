@@ -11,9 +11,9 @@ struct Sender {
   uint count;
   vec3 ofFirst;  // power
   vec3 ofSecond;
-  float areaMm2;  // of the disc that the light entered through
-  float narrowness;
-  float thicknessMm;
+  float areaMm2;     // of the disc that the light entered through
+  float narrowness;  // see Discs
+  vec3 whereWide;
 };
 
 // A disc must be small for the part of the body that it lies on. Else the few points that get through stand for so
@@ -31,7 +31,7 @@ Sender senderOf(uint cluster, vec3 power) {
   uint firstCount = first == vec3(0.0) ? 0u : counts.x;
   return Sender(cluster, beam, firstCount, firstCount + counts.y, power * way.overDiffusion * first,
                 power * way.overDiffusion * shareOfSecond(from, medium), from.centroidArea.w,
-                narrownessOf(from), from.start.w);
+                narrownessOf(from), lackOfPlane(from.centroidArea.w, 0.5 * from.start.w, way.sigma, medium));
 }
 
 BeamPoint pointOf(Sender from, uint p) {
@@ -92,9 +92,10 @@ vec3 depthsBelow(uint target, BeamPoint point) {
 void addPoint(BeamPoint point, vec3 power, Sender from, uint without) {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
     Discs discs = discsBetween(targets[t].w, from.areaMm2, medium);
+    discs.narrowness = from.narrowness;
+    discs.whereWide = from.whereWide;
     vec3 squared = squaredDistances(point, targets[t].xyz);
-    vec3 light = power * mix(kernelBetweenWide(discs, way.sigma, squared, 0.5 * from.thicknessMm),
-                             kernelBetween(discs, way.sigma, squared, depthsBelow(t, point)), from.narrowness);
+    vec3 light = power * kernelBetween(discs, way.sigma, squared, depthsBelow(t, point));
     if (t != without) tileLight[t] += light;
   }
 }

@@ -32,15 +32,15 @@ vec3 throughPaint(uint cluster, BoundaryMedium medium, float cosine) {
 
 // Light on its way through bodies, from a place outside of them all.
 struct Crossing {
-  RayHit hit;       // what it meets next
-  uint surfaces;    // that it has met before
-  vec3 through;     // what is left
-  uint inside;      // the object that it is in, or everyObject
-  float from;       // where it entered that
-  float longer;     // the refracted way there over the straight one
-  float reach;      // where nothing is left of it
-  vec3 side;        // outwards, where it entered that
-  float parallel;   // 1 where it has gone through parallel sides alone
+  RayHit hit;      // what it meets next
+  uint surfaces;   // that it has met before
+  vec3 through;    // what is left
+  uint inside;     // the object that it is in, or everyObject
+  float from;      // where it entered that
+  float longer;    // the refracted way there over the straight one
+  float reach;     // where nothing is left of it
+  vec3 side;       // outwards, where it entered that
+  float parallel;  // 1 where it has gone through parallel sides alone
 };
 
 Crossing crossingFrom(RayHit hit, float furthest) {
@@ -49,6 +49,11 @@ Crossing crossingFrom(RayHit hit, float furthest) {
 
 bool isOutside(Crossing its) {
   return its.inside == everyObject;
+}
+
+// Whether nothing is left in its way.
+bool isThrough(Crossing its) {
+  return its.hit.piece == noPiece && isOutside(its);
 }
 
 // Goes into a cluster's object, or out of it, where the surface has that unit normal outwards.
@@ -93,9 +98,9 @@ bool passesSurface(vec3 origin, vec3 direction, float least, float furthest, Ray
 // a refracted ray. `origin` is outside of all bodies, and `hit` what the light meets first. w is Crossing::parallel.
 vec4 throughBodies(vec3 origin, vec3 direction, RayHit hit, float least, float furthest, RayTarget scene) {
   Crossing its = crossingFrom(hit, furthest);
-  while (its.hit.piece != noPiece)
-    if (!passesSurface(origin, direction, least, furthest, scene, its)) return vec4(vec3(0.0), 1.0);
-  return isOutside(its) ? vec4(its.through, its.parallel) : vec4(vec3(0.0), 1.0);
+  while (its.hit.piece != noPiece && passesSurface(origin, direction, least, furthest, scene, its)) {
+  }
+  return isThrough(its) ? vec4(its.through, its.parallel) : vec4(vec3(0.0), 1.0);
 }
 
 #endif

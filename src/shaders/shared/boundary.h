@@ -214,11 +214,11 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
-/// What it met behind thin parts of bodies.
+/// What it met behind thin parts of bodies, with the share by channel (lib/meeting_behind.glsl).
 struct MeetingBehind {
-  uint cluster;    // or noCluster
-  float share[3];  // by channel
-  float transmitted;
+  uint cluster;  // or noCluster
+  uint redGreen;
+  uint blueTransmitted;
 };
 OPALINE_BOUNDARY_CONSTANT meetingsBehind = 2u;  // of a ray at most
 
