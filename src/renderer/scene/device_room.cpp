@@ -25,7 +25,7 @@ constexpr std::size_t bytesOfCluster = std::max(
     {(shared::maxLights + 1) * sizeof(shared::Entry), shared::maxPoints * sizeof(shared::BeamPoint),
      (shared::maxSolverSteps + 1) * sizeof(shared::vec4),
      shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile,
-     passes::raysOutwards* shared::meetingsBehind * sizeof(shared::MeetingBehind)});
+     sizeof(shared::MeetingBehind) * passes::raysOutwards* shared::meetingsBehind});
 
 }  // namespace
 
