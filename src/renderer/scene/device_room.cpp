@@ -21,11 +21,12 @@ constexpr std::size_t bytesOfPiece =
     std::max(sizeof(shared::SurfelPiece), sizeof(shared::RayPiece));
 constexpr std::size_t bytesOfSurfel =
     std::max(shared::sourcesPerSurfel * sizeof(shared::Source), bytesOfPiece);
+constexpr std::size_t bytesBehind =
+    sizeof(shared::MeetingBehind) * shared::meetingsBehind * std::size_t{passes::raysOutwards};
 constexpr std::size_t bytesOfCluster = std::max(
     {(shared::maxLights + 1) * sizeof(shared::Entry), shared::maxPoints * sizeof(shared::BeamPoint),
      (shared::maxSolverSteps + 1) * sizeof(shared::vec4),
-     shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile,
-     sizeof(shared::MeetingBehind) * passes::raysOutwards* shared::meetingsBehind});
+     shared::leastRoomOfList * sizeof(std::uint32_t) / shared::maxClustersOfTile, bytesBehind});
 
 }  // namespace
 
