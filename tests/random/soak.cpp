@@ -1,6 +1,6 @@
 // opaline_soak FRAMES [SEED]: renders small frames with one renderer, and edits media, lights,
 // bodies, sizes, methods and views at random. Memory must not grow, and a fresh renderer must make
-// every twentieth picture the same bit by bit.
+// every twentieth picture, or one in a thousandth of all frames, the same bit by bit.
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -135,7 +135,7 @@ class Soak {
   }
 
   Shown anotherView() {
-    Shown shown{std::make_unique<View>(renderer_, drawOptions(dice_, drawn_.scene)),
+    Shown shown{std::make_unique<View>(renderer_, anotherOptions()),
                 drawCamera(dice_, drawn_.sizeMm, drawn_.middleMm)};
     shown.view->setCamera(shown.camera);
     return shown;
@@ -183,7 +183,16 @@ class Soak {
     }
   }
 
-  void setOptions(Shown& shown) { shown.view->setOptions(drawOptions(dice_, drawn_.scene)); }
+  // Mostly so small that a frame is more edits than light.
+  RenderOptions anotherOptions() {
+    RenderOptions options = drawOptions(dice_, drawn_.scene);
+    if (dice_.chance(.1F)) return options;
+    options.maxSurfels = 1024;
+    options.maxClusters = 64;
+    return options;
+  }
+
+  void setOptions(Shown& shown) { shown.view->setOptions(anotherOptions()); }
 
   void setMedium(std::size_t object) {
     Object& its = drawn_.scene.objects[object];
@@ -246,7 +255,7 @@ int run(std::uint64_t frames, std::uint32_t seed) {
   const Clock::time_point begin = Clock::now();
   // By then everything has been at its largest.
   const std::uint64_t warm = std::max<std::uint64_t>(frames / 4, 1);
-  constexpr std::uint64_t framesPerComparison = 20;
+  const std::uint64_t framesPerComparison = std::max<std::uint64_t>(frames / 1000, 20);
   const std::uint64_t framesPerReport = std::max<std::uint64_t>(frames / 40, framesPerComparison);
   double early = 0;
   double late = 0;

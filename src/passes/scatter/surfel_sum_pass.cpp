@@ -34,9 +34,21 @@ SurfelSumPass::SurfelSumPass(gpu::Device& device)
 
 SurfelSumPass::Pipelines SurfelSumPass::makePipelines(gpu::Device& device,
                                                       ScatterTransport transport) {
-  return {{device, "rough sum over vertices", {.transport = transport, .rough = 1}},
-          {device, "tree over vertices", {.transport = transport, .rough = 0}},
-          {device, "tree over fragments", {.transport = transport}},
+  const auto overVertices = [&](std::uint32_t estimated, std::uint32_t coarse) {
+    return gpu::Compute<shaders::ScatterTreeVertices>(
+        device, "tree over vertices",
+        {.transport = transport, .estimated = estimated, .withCoarse = coarse, .rough = 0});
+  };
+  const auto overFragments = [&](std::uint32_t estimated, std::uint32_t coarse) {
+    return gpu::Compute<shaders::ScatterTree>(
+        device, "tree over fragments",
+        {.transport = transport, .estimated = estimated, .withCoarse = coarse});
+  };
+  return {{device,
+           "rough sum over vertices",
+           {.transport = transport, .estimated = 1, .withCoarse = 0, .rough = 1}},
+          {overVertices(0, 0), {overVertices(1, 0), overVertices(1, 1)}},
+          {overFragments(0, 0), {overFragments(1, 0), overFragments(1, 1)}},
           {device, "all surfels over vertices", {.transport = transport}},
           {device, "all surfels over fragments", {.transport = transport}}};
 }
@@ -44,23 +56,22 @@ SurfelSumPass::Pipelines SurfelSumPass::makePipelines(gpu::Device& device,
 void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& order,
                                    const OverPlaces& over) const {
   const Pipelines& made = pipelines(order.transport);
-  for (const auto* pipeline : {&made.roughVertices, &made.treeVertices}) {
+  const auto& treeVertices = made.treeVertices.of(order.estimate, over.surfels.coarse);
+  for (const auto* pipeline : {&made.roughVertices, &treeVertices}) {
     if (pipeline == &made.roughVertices && !order.estimate) continue;
-    if (pipeline == &made.treeVertices && order.site == ScatterSite::Fragments) break;
+    if (pipeline == &treeVertices && order.site == ScatterSite::Fragments) break;
     commands.beginPass(pipeline == &made.roughVertices ? "estimate" : "scatter");
-    commands.bind(*pipeline,
-                  {.positions = over.places.positions,
-                   .objectOf = over.places.objectOf,
-                   .exitances = over.places.exitances,
-                   .objects = over.tables.objects,
-                   .media = over.tables.media,
-                   .nodes = over.surfels.nodes,
-                   .sources = over.surfels.sources,
-                   .order = over.places.order},
-                  {.vertexCount = over.places.count,
-                   .tolerance = order.tolerance,
-                   .estimated = order.estimate ? 1U : 0U,
-                   .site = order.site});
+    commands.bind(
+        *pipeline,
+        {.positions = over.places.positions,
+         .objectOf = over.places.objectOf,
+         .exitances = over.places.exitances,
+         .objects = over.tables.objects,
+         .media = over.tables.media,
+         .nodes = over.surfels.nodes,
+         .sources = over.surfels.sources,
+         .order = over.places.order},
+        {.vertexCount = over.places.count, .tolerance = order.tolerance, .site = order.site});
     commands.dispatchLinear(over.places.count, roundsOfWalk);
     commands.endPass();
   }
@@ -70,7 +81,8 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                                       const Fragments& over) const {
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  dispatchAsked(commands, seen.surfaces, over.asked, pipelines(order.transport).treeFragments,
+  dispatchAsked(commands, seen.surfaces, over.asked,
+                pipelines(order.transport).treeFragments.of(order.estimate, over.surfels.coarse),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .exitances = seen.surfaces.light,
                  .meshExitances = over.exitance.vertices,
@@ -80,7 +92,7 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                  .sources = over.surfels.sources,
                  .asked = seen.surfaces.asked,
                  .askedCount = seen.surfaces.countsOf(over.asked)},
-                {.first = 0, .tolerance = order.tolerance, .estimated = order.estimate ? 1U : 0U});
+                {.first = 0, .tolerance = order.tolerance});
   commands.endPass();
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/scatter/all.comp.h"
 #include "shaders/scatter/all_vertices.comp.h"
 #include "shaders/scatter/tree.comp.h"
@@ -53,10 +54,20 @@ class SurfelSumPass {
                         const Fragments& over) const;
 
  private:
+  /// Pipelines of a walk through the tree. Coarse surfels always need the estimate.
+  template <typename Shader>
+  struct WhereEstimated {
+    gpu::Compute<Shader> without;
+    Variants<Shader> with;  ///< without and with coarse surfels
+
+    const gpu::Compute<Shader>& of(bool estimate, bool coarse) const {
+      return estimate ? with.of(coarse) : without;
+    }
+  };
   struct Pipelines {
     gpu::Compute<shaders::ScatterTreeVertices> roughVertices;
-    gpu::Compute<shaders::ScatterTreeVertices> treeVertices;
-    gpu::Compute<shaders::ScatterTree> treeFragments;
+    WhereEstimated<shaders::ScatterTreeVertices> treeVertices;
+    WhereEstimated<shaders::ScatterTree> treeFragments;
     gpu::Compute<shaders::ScatterAllVertices> allVertices;
     gpu::Compute<shaders::ScatterAll> allFragments;
   };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -25,7 +27,7 @@ namespace opaline::passes {
 
 namespace {
 
-constexpr std::uint32_t skyFaceSize = 128;
+constexpr std::uint32_t mostFaceSize = 128;
 constexpr std::uint32_t mirrorFaceSize = 256;
 constexpr std::uint32_t tileSize = 8;
 constexpr std::uint32_t samplesOfLobe = 256;
@@ -65,6 +67,18 @@ gpu::Buffer makeBright(gpu::Device& device, const SkyParts& parts) {
                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
+float alphaOf(float roughness) {
+  const float least = std::max(roughness, leastRoughness);
+  return least * least;
+}
+
+// Texels no wider than 0.4 alpha: linear filtering takes at most 2 % from the peak of a GGX lobe.
+std::uint32_t faceSizeFor(float roughness) {
+  constexpr float face = std::numbers::pi_v<float> / 2;
+  const float texels = std::min(face / (0.4F * alphaOf(roughness)), float{mostFaceSize});
+  return std::bit_ceil(static_cast<std::uint32_t>(std::ceil(texels)));
+}
+
 std::vector<float> glossyRoughnesses() {
   std::vector<float> roughnesses;
   for (std::uint32_t level = 0; level < shared::glossySkyLevels; ++level)
@@ -84,7 +98,7 @@ Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughn
   sky.parts = partsOfSky(lighting);
   sky.radiance = makeRadianceCube(device, sky.parts);
   sky.bright = makeBright(device, sky.parts);
-  sky.reflected = reflectedOf(device, lighting, {roughness}, skyFaceSize);
+  sky.reflected = reflectedOf(device, lighting, {roughness}, faceSizeFor(roughness));
   if (glossy) sky.glossy = reflectedOf(device, lighting, glossyRoughnesses(), mirrorFaceSize);
   takeEtas(device, etas, sky);
   return sky;
@@ -105,13 +119,12 @@ gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting
   gpu::CommandList commands(device, "reflection of the sky");
   commands.begin();
   for (std::uint32_t level = 0; level < levels; ++level) {
-    const float roughness = std::max(roughnesses[level], leastRoughness);
     const std::uint32_t size = edge >> level;
     // A face covers a quarter of the map's width.
     const float texels = static_cast<float>(map.extent().width) / static_cast<float>(4 * size);
     commands.bind(reflected_, {.latLong = {map, sampler_}, .cube = {cube, level}},
                   {.ambient = ambient,
-                   .alpha = roughness * roughness,
+                   .alpha = alphaOf(roughnesses[level]),
                    .sampleCount = roughnesses[level] < leastRoughness ? 1 : samplesOfLobe,
                    .leastLevel = std::max(std::log2(texels), 0.0F)});
     const std::uint32_t tiles = (size + tileSize - 1) / tileSize;

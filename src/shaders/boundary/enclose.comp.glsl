@@ -28,9 +28,35 @@ layout(push_constant) uniform Push {
 // What leaves this many lengths of extinction away does not arrive.
 const float furthestFelt = 16.0;
 
+// For the node found last.
 bool isFelt(uint node) {
-  float reach = leastSigma * (sqrt(nearestSquared(centroidLinkOf(node).xyz)) - spreadOf(node).x);
-  return reach < furthestFelt;
+  return leastSigma * (sqrt(nearestOnWalk) - spreadOf(node).x) < furthestFelt;
+}
+
+// What an invocation finds is kept until its place on the list is known. Nodes for which there is no room are looked for
+// again.
+const uint roomOfFound = 2048u / invocationsOfTile;
+shared uint found[roomOfFound * invocationsOfTile];
+
+uint placeOfFound(uint k) {
+  return gl_LocalInvocationIndex * roomOfFound + k;
+}
+
+// A walk of an invocation.
+struct Walk {
+  uint at;      // the next node
+  uint count;   // of nodes found
+  uint resume;  // the next node where the first one was found that is not kept
+};
+
+Walk walkOfTile() {
+  return Walk(body.clusters.x, 0u, 0u);
+}
+
+void keep(uint node, uint before, inout Walk walk) {
+  if (walk.count < roomOfFound) found[placeOfFound(walk.count)] = node;
+  if (walk.count == roomOfFound) walk.resume = before;
+  ++walk.count;
 }
 
 float shareOf(vec3 offset, float squared, bool leaf, vec3 vectorArea, float area, Moment moment) {
@@ -66,16 +92,39 @@ uint nextFelt(inout uint at, float radius) {
 // Lists the leaves of clusters that are felt anywhere in the tile, in the order of the tree.
 void listAround() {
   float radius = largestRadius();
-  uint count = 0u;
-  uint at = body.clusters.x;
-  while (nextFelt(at, radius) != noNode) ++count;
+  Walk walk = walkOfTile();
+  while (true) {
+    uint before = walk.at;
+    uint node = nextFelt(walk.at, radius);
+    if (node == noNode) break;
+    keep(node, before, walk);
+  }
   uint all;
-  uint place = groupPlaceFor(count, all);
+  uint place = groupPlaceFor(walk.count, all);
   uint list = tileIndex * roomOfAround;
-  if (gl_LocalInvocationIndex == 0u) around[list] = min(all, roomOfAround - 1u);
-  at = body.clusters.x;
-  for (; count > 0u && place < roomOfAround - 1u; --count) around[list + 1u + place++] = nextFelt(at, radius);
+  uint room = roomOfAround - 1u;
+  if (gl_LocalInvocationIndex == 0u) around[list] = min(all, room);
+  uint count = min(walk.count, room - min(place, room));
+  place += list + 1u;
+  for (uint k = 0u; k < min(count, roomOfFound); ++k) around[place + k] = found[placeOfFound(k)];
+  for (uint k = roomOfFound; k < count; ++k) around[place + k] = nextFelt(walk.resume, radius);
   barrier();
+}
+
+// Lists the nodes that act on the tile and are felt there, of the walk that found them.
+void listActing(Walk walk) {
+  uint all;
+  uint place = groupPlaceFor(walk.count, all);
+  uint list = tileIndex * roomOfList;
+  if (gl_LocalInvocationIndex == 0u) lists[list] = all;
+  uint count = all < roomOfList ? walk.count : 0u;
+  place += list + 1u;
+  for (uint k = 0u; k < min(count, roomOfFound); ++k) lists[place + k] = found[placeOfFound(k)];
+  for (uint k = roomOfFound; k < count;) {
+    uint node = nextOnWalk(walk.resume, openingAngle);
+    if (node == noNode) break;
+    if (isFelt(node)) lists[place + k++] = node;
+  }
 }
 
 void main() {
@@ -83,10 +132,12 @@ void main() {
   listAround();
   float shares[maxClustersOfTile];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) shares[t] = 0.0;
-  uint felt = 0u;
-  uint at = body.clusters.x;
-  for (uint node = nextOnWalk(at, openingAngle); node != noNode; node = nextOnWalk(at, openingAngle)) {
-    felt += isFelt(node) ? 1u : 0u;
+  Walk walk = walkOfTile();
+  while (true) {
+    uint before = walk.at;
+    uint node = nextOnWalk(walk.at, openingAngle);
+    if (node == noNode) break;
+    if (isFelt(node)) keep(node, before, walk);
     vec4 centroidLink = centroidLinkOf(node);
     vec3 vectorArea = vectorAreaOf(node);
     float area = spreadOf(node).w;
@@ -100,16 +151,7 @@ void main() {
         shares[t] += shareOf(offset, squared, isLeaf(link), vectorArea, area, moment);
     }
   }
-
-  uint all;
-  uint place = groupPlaceFor(felt, all);
-  uint list = tileIndex * roomOfList;
-  if (gl_LocalInvocationIndex == 0u) lists[list] = all;
-  if (all < roomOfList) {
-    at = body.clusters.x;
-    for (uint node = nextOnWalk(at, openingAngle); node != noNode; node = nextOnWalk(at, openingAngle))
-      if (isFelt(node)) lists[list + 1u + place++] = node;
-  }
+  listActing(walk);
 
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, vec3(shares[t]));
   uint target = gl_LocalInvocationIndex;

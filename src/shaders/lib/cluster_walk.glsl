@@ -5,6 +5,8 @@
 #include "lib/cluster_node.glsl"
 #include "lib/cluster_tile.glsl"
 
+float nearestOnWalk;  // squared distance of the node found last to the tile's clusters, mm²
+
 // The next node of this invocation's slice, from `at` on, that acts on the tile, or noNode.
 uint nextOnWalk(inout uint at, float openingAngle) {
   uint found = noNode;
@@ -13,8 +15,8 @@ uint nextOnWalk(inout uint at, float openingAngle) {
     uint link = floatBitsToUint(centroidLink.w);
     uint after = afterNode(at, link);
     bool before = after <= sliceBegin;
-    bool taken = isLeaf(link) ||
-                 isFar(nearestSquared(centroidLink.xyz), spreadOf(at).x, leastSigma, openingAngle);
+    nearestOnWalk = nearestSquared(centroidLink.xyz);
+    bool taken = isLeaf(link) || isFar(nearestOnWalk, spreadOf(at).x, leastSigma, openingAngle);
     if (taken && at >= sliceBegin) found = at;
     at = before || taken ? after : at + 1u;
   }

@@ -11,9 +11,4 @@ vec3 toleratedAt(vec3 exitance, float tolerance) {
   return tolerance * max(exitance, vec3(leastOfBrightest * brightest));
 }
 
-// The same, or any error where there is no estimate.
-vec3 toleratedIn(vec3 estimate, float tolerance, bool estimated) {
-  return estimated ? toleratedAt(estimate, tolerance) : vec3(3e38);
-}
-
 #endif

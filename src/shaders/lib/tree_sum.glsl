@@ -14,6 +14,12 @@
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
 
+// Whether there is an estimate of the sum, by which nodes are tolerated. Without one a node is taken wherever its series
+// converges.
+layout(constant_id = 1) const uint estimated = 0u;
+// Whether there are coarse sources (shared/nearby.h).
+layout(constant_id = 2) const uint withCoarse = 0u;
+
 // A node is opened nearer than this many of its radii, squared, because the series would not converge there.
 const float nearestInRadii2 = 2.0;
 
@@ -65,7 +71,7 @@ bool isNegligible(TreeNode node, vec3 squared, Profile profile, float reach, vec
 bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 tolerated,
               inout vec4 sum) {
   vec3 squared = squaredDistances(node, position);
-  if (reach > 0.0 && isNegligible(node, squared, profile, reach, tolerated)) {
+  if (withCoarse != 0u && reach > 0.0 && isNegligible(node, squared, profile, reach, tolerated)) {
     sum.a += 1.0;
     return true;
   }
@@ -75,9 +81,11 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
 
   Derivatives f = profileDerivatives(profile, squared);
   float meanSquare = meanSquareOf(node);
-  vec3 x = profile.sigmaTr * sqrt(squared);
-  vec3 neglected = neglectedPart * meanSquare * meanSquare * f.second * (4.0 + x) * (6.0 + x);
-  if (any(greaterThan(node.flux * neglected, tolerated))) return false;
+  if (estimated != 0u) {
+    vec3 x = profile.sigmaTr * sqrt(squared);
+    vec3 neglected = neglectedPart * meanSquare * meanSquare * f.second * (4.0 + x) * (6.0 + x);
+    if (any(greaterThan(node.flux * neglected, tolerated))) return false;
+  }
   vec3 offset = (node.red + node.green + node.blue) / 3.0 - position;
   float along = dot(offset, momentsOf(node) * offset);
   sum += vec4(node.flux * (f.value + f.first * meanSquare + 2.0 * f.second * along), 1.0);

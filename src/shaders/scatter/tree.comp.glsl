@@ -21,12 +21,12 @@ layout(std430, set = 0, binding = 2) writeonly buffer Exitances { vec4 exitances
 layout(push_constant) uniform Push {
   uint first;
   float tolerance;
-  uint estimated;  // 0: a node is taken wherever its series converges
 };
 
 // About how bright the place is. Vertices that are far apart know nothing of what lies between them.
 vec3 estimateAt(MeshPlace place, ObjectData body, uint root, Profile profile) {
-  bool coarse = estimated != 0u && body.table.w != 0u;
+  if (estimated == 0u) return vec3(0.0);
+  bool coarse = body.table.w != 0u;
   vec3 there = roughSum(place.position, body, coarse ? root : noNode, profile);
   return max(coarse ? there : meshExitanceAt(place).rgb, darkestOf(body, root));
 }
@@ -40,6 +40,6 @@ void main() {
   Profile profile = mediumAt(body, place.position).profile;
   vec3 about = estimateAt(place, body, root, profile);
   vec4 sum = treeSum(place.position, root, body.tree.y, profile, body.darkest.w,
-                     toleratedIn(about, tolerance, estimated != 0u));
+                     toleratedAt(about, tolerance));
   if (here) exitances[seen.entry] = sum;
 }

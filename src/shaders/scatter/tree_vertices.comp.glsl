@@ -11,7 +11,7 @@
 #include "lib/tolerance.glsl"
 #include "lib/linear.glsl"
 
-layout(constant_id = 1) const uint rough = 0u;
+layout(constant_id = 3) const uint rough = 0u;
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer ObjectOf { uint objectOf[]; };
@@ -21,7 +21,6 @@ layout(std430, set = 0, binding = 8) readonly buffer Order { uint order[]; };
 layout(push_constant) uniform Push {
   uint vertexCount;
   float tolerance;
-  uint estimated;  // 0: a node is taken wherever its series converges
   uint site;
 };
 
@@ -37,6 +36,6 @@ void main() {
   vec4 sum = rough != 0u
                  ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
                  : treeSum(position, root, body.tree.y, profile, body.darkest.w,
-                           toleratedIn(exitances[vertex].rgb, tolerance, estimated != 0u));
+                           toleratedAt(exitances[vertex].rgb, tolerance));
   if (here) exitances[vertex] = sum;
 }
