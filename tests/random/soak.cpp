@@ -1,6 +1,6 @@
 // opaline_soak FRAMES [SEED]: renders small frames with one renderer, and edits media, lights,
 // bodies, sizes, methods and views at random. Memory must not grow, and a fresh renderer must make
-// every twentieth picture, or one in a thousandth of all frames, the same bit by bit.
+// every twentieth picture, or a thousand of a longer run, the same bit by bit.
 
 #include <fmt/format.h>
 #include <malloc.h>

@@ -33,8 +33,8 @@ bool isFelt(uint node) {
   return leastSigma * (sqrt(nearestOnWalk) - spreadOf(node).x) < furthestFelt;
 }
 
-// What an invocation finds is kept until its place on the list is known. Nodes for which there is no room are looked for
-// again.
+// What an invocation finds is kept, in 8 KiB for all of the group, until its place on the list is known. Nodes for which
+// there is no room are looked for again.
 const uint roomOfFound = 2048u / invocationsOfTile;
 shared uint found[roomOfFound * invocationsOfTile];
 
