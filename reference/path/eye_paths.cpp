@@ -14,10 +14,6 @@ namespace {
 
 using std::numbers::pi;
 
-Colour product(const Colour& a, const Colour& b) {
-  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
-}
-
 double largest(const Colour& colour) {
   return std::max({colour[0], colour[1], colour[2]});
 }
@@ -58,6 +54,7 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
       tracer_(tracer),
       options_(options),
       lights_(geometry.scene()),
+      throughMedia_(geometry),
       exitFactors_(exitFactors(geometry.scene(), Transport::BetterDipole)) {
   for (const Body& body : geometry_.scene().bodies)
     mirrored_.push_back(body.opaque ? nullptr : &mirroredShareOfMedium(body.medium.eta));
@@ -65,8 +62,8 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
 
 // With even light inside, the light that leaves towards the eye is what a surface would not mirror
 // of even light outside.
-double EyePaths::leaving(std::uint32_t body, double alpha, double cosine) const {
-  return exitFactors_[body] * (1 - (*mirrored_[body])(alpha, cosine));
+double EyePaths::letOut(std::uint32_t body, double alpha, double cosine) const {
+  return 1 - (*mirrored_[body])(alpha, cosine);
 }
 
 EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toEye,
@@ -76,8 +73,11 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
     const Sides sides = sidesOf(body, point, toEye);
     const double cosine = std::clamp(dot(sides.normal, toEye), 1e-3, 1.0);
     const double alpha = alphaAt(body, point, options_.roughness);
-    return {point, Reflection::ofMedium(body.medium.eta, alpha, sides.normal, sides.outside, toEye),
-            leaving(point.body, alpha, cosine) * tracer_.exitance(point).value};
+    Vertex vertex{point, toEye,
+                  Reflection::ofMedium(body.medium.eta, alpha, sides.normal, sides.outside, toEye)};
+    vertex.letsOut = letOut(point.body, alpha, cosine);
+    vertex.own = exitFactors_[point.body] * vertex.letsOut * tracer_.exitance(point).value;
+    return vertex;
   }
   OpaqueSurface surface = opaqueSurfaceAt(body, point);
   if (first && !options_.specular) surface = withoutMirror(surface);
@@ -88,8 +88,9 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
 EyePaths::Vertex EyePaths::opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
                                         const Colour& emission, const Vector& toEye) const {
   const Sides sides = sidesOf(geometry_.scene().bodies[point.body], point, toEye);
-  Vertex vertex{point, Reflection(surface, sides.normal, sides.outside, toEye), emission,
-                surface.occlusion, surface.unlit};
+  Vertex vertex{point,    toEye,
+                Reflection(surface, sides.normal, sides.outside, toEye),
+                emission, surface.occlusion, surface.unlit};
   if (!vertex.ends)
     vertex.own += vertex.reflection.ofDiffuse(tracer_.straightThrough(point, sides.outside),
                                               tracer_.straightThrough(point, -sides.outside));
@@ -110,32 +111,59 @@ Colour EyePaths::lightAt(const Vertex& vertex, Random& random) const {
   return sum;
 }
 
+std::optional<EyePaths::Step> EyePaths::mirrored(const Vertex& vertex, Share& share,
+                                                 Random& random) const {
+  const Vector direction = vertex.reflection.direction(random);
+  const double density = vertex.reflection.density(direction);
+  if (!(density > 0)) return std::nullopt;
+  const Reflection::Parts parts = vertex.reflection.partsOf(direction);
+  share.ofStraight = (1 / density) * product(share.ofStraight, parts.mirrored);
+  share.ofAll = (1 / density) * product(share.ofAll, parts.diffuse + parts.mirrored);
+  return Step{vertex.point, direction, density};
+}
+
+std::optional<EyePaths::Step> EyePaths::next(const Vertex& vertex, Share& share,
+                                             Random& random) const {
+  constexpr double leastMirrored = 0.05;  // for the choice alone
+  if (vertex.letsOut <= 0) return mirrored(vertex, share, random);
+  const auto exit = throughMedia_.from(vertex.point, -vertex.toEye, random);
+  const Colour through = exit ? vertex.letsOut * product(share.ofStraight, exit->share) : Colour{};
+  const double most = largest(through);
+  const double other = std::max(1 - vertex.letsOut, leastMirrored) * largest(share.ofAll);
+  const double chance = most > 0 ? most / (most + other) : 0;
+  if (random() < chance) {
+    share.ofAll = share.ofStraight = (1 / chance) * through;
+    return Step{exit->point, exit->direction};
+  }
+  share *= 1 / (1 - chance);
+  return mirrored(vertex, share, random);
+}
+
 Colour EyePaths::follow(Vertex vertex, Random& random) const {
   constexpr int certainBounces = 3;
   Colour sum{};
-  Colour share{1, 1, 1};
-  for (int bounce = 0;; ++bounce) {
-    sum += product(share, vertex.own);
+  Share share;
+  int bounces = 0;
+  while (true) {
+    sum += product(share.ofAll, vertex.own);
     if (vertex.ends) return sum;
-    sum += product(share, lightAt(vertex, random));
-    const Vector direction = vertex.reflection.direction(random);
-    const double density = vertex.reflection.density(direction);
-    if (!(density > 0)) return sum;
-    share = product(share, (1 / density) * vertex.reflection.value(direction));
-    if (largest(share) <= 0) return sum;
-    const auto hit = geometry_.closestHit(vertex.point, direction);
+    sum += product(share.ofAll, lightAt(vertex, random));
+    const std::optional<Step> step = next(vertex, share, random);
+    if (!step || largest(share.ofAll) <= 0) return sum;
+    const auto hit = geometry_.closestHit(step->from, step->direction);
     const double free = hit ? hit->distanceMm : std::numeric_limits<double>::infinity();
-    lights_.forEachAlong(vertex.point.position, direction, free, [&](const LightAlong& light) {
-      sum += (light.isSky ? vertex.occlusion : 1) * balanced(density, light.density) *
-             product(share, light.radiance);
+    lights_.forEachAlong(step->from.position, step->direction, free, [&](const LightAlong& light) {
+      const double weight = step->density > 0 ? balanced(step->density, light.density) : 1;
+      sum += (light.isSky ? vertex.occlusion : 1) * weight * product(share.ofAll, light.radiance);
     });
-    if (!hit || bounce >= tracer_.options().bounces) return sum;
-    share = vertex.occlusion * share;
+    if (!hit) return sum;
+    const bool bounced = step->density > 0;
+    if (bounced && bounces++ >= tracer_.options().bounces) return sum;
     // Dark paths end at random.
-    const double goesOn = bounce < certainBounces ? 1 : std::min(largest(share), 0.97);
+    const double goesOn = bounces <= certainBounces ? 1 : std::min(largest(share.ofAll), 0.97);
     if (random() >= goesOn) return sum;
-    share = (1 / goesOn) * share;
-    vertex = vertexAt(hit->point, -direction, false);
+    share *= vertex.occlusion / goesOn;
+    vertex = vertexAt(hit->point, -step->direction, false);
   }
 }
 

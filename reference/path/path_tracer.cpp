@@ -17,22 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
-  const auto c = static_cast<std::size_t>(channel);
-  std::vector<Interior> interiors;
-  for (const Body& body : scene.bodies) {
-    if (body.opaque) {
-      interiors.emplace_back();
-      continue;
-    }
-    const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - body.medium.g);
-    const double extinction = scattering + body.medium.sigmaAPerMm[c];
-    interiors.push_back({extinction, scattering / extinction, body.medium.g, body.medium.eta,
-                         body.paint ? std::make_shared<const Layer>(body, channel) : nullptr});
-  }
-  return interiors;
-}
-
 // For light that leaves evenly through a smooth boundary, the share within a cone about the unit
 // vector `axis`. Computed over rings of equal solid angle.
 double evenShareOf(const Vector& axis, double degrees, const Vector& normal, double eta) {

@@ -100,19 +100,20 @@ Colour Reflection::fresnel(double cosine) const {
   return share;
 }
 
-Colour Reflection::value(const Vector& toLight) const {
-  const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
-  if (light[2] < 0 && dot(outside_, toLight) < 0) return -light[2] * through_;
-  if (light[2] <= 0 || dot(outside_, toLight) <= 0) return {};
-  Colour value = light[2] * diffuse_;
-  if (matt_ + behind_ >= 1) return value;
+Colour Reflection::mirrored(const Vector& light) const {
+  if (matt_ + behind_ >= 1) return {};
   const Vector half = unitOr(light + eye_, {0, 0, 1});
   const double facets =
       ggxDensity(alpha_, half[2]) /
       (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2]) + ggxHidden(alpha_, light[2])));
-  const Colour mirrored = fresnel(dot(light, half));
-  for (std::size_t c = 0; c < 3; ++c) value[c] += facets * mirrored[c];
-  return value;
+  return facets * fresnel(dot(light, half));
+}
+
+Reflection::Parts Reflection::partsOf(const Vector& toLight) const {
+  const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
+  if (light[2] < 0 && dot(outside_, toLight) < 0) return {-light[2] * through_, {}};
+  if (light[2] <= 0 || dot(outside_, toLight) <= 0) return {};
+  return {light[2] * diffuse_, mirrored(light)};
 }
 
 Colour Reflection::ofDiffuse(const Colour& irradiance, const Colour& behind) const {

@@ -36,7 +36,15 @@ class Reflection {
   /// What facets mirror of it is left out.
   Colour ofDiffuse(const Colour& irradiance, const Colour& behind) const;
   /// Radiance towards the eye per irradiance of a surface facing the light: BRDF times cosine.
-  Colour value(const Vector& toLight) const;
+  struct Parts {
+    Colour diffuse{};
+    Colour mirrored{};
+  };
+  Parts partsOf(const Vector& toLight) const;
+  Colour value(const Vector& toLight) const {
+    const Parts parts = partsOf(toLight);
+    return parts.diffuse + parts.mirrored;
+  }
   /// Samples a direction from which light may come; density() is per steradian.
   Vector direction(Random& random) const;
   double density(const Vector& toLight) const;
@@ -44,6 +52,8 @@ class Reflection {
  private:
   Reflection(const Vector& normal, const Vector& outside, const Vector& toEye);
   Colour fresnel(double cosine) const;
+  /// Of light in the surface's frame, above it.
+  Colour mirrored(const Vector& light) const;
 
   Vector normal_{};
   Vector outside_{};

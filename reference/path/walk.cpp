@@ -19,6 +19,12 @@ Vector refracted(const Vector& direction, const Vector& normal, double eta) {
   return unitOr((1 / eta) * direction + (cosine / eta - inner) * normal, direction);
 }
 
+Vector refractedInto(const Vector& facet, const Vector& direction, const Vector& normal,
+                     double eta) {
+  const Vector inside = refracted(direction, normal, eta);
+  return dot(inside, facet) < 0 ? inside : refracted(direction, facet, eta);
+}
+
 Vector scattered(const Vector& direction, double g, Random& random) {
   const double u = 2 * random() - 1;
   double cosine = u;
@@ -46,7 +52,23 @@ void Walk::reflect(const Particle& particle, Random& random, std::vector<Particl
   });
 }
 
-std::vector<double> Walk::densestOf(const Scene& scene, const std::vector<Interior>& interiors) {
+std::vector<Interior> interiorsOf(const Scene& scene, std::size_t channel) {
+  std::vector<Interior> interiors;
+  for (const Body& body : scene.bodies) {
+    if (body.opaque) {
+      interiors.emplace_back();
+      continue;
+    }
+    const double scattering = body.medium.sigmaSPrimePerMm[channel] / (1 - body.medium.g);
+    const double extinction = scattering + body.medium.sigmaAPerMm[channel];
+    interiors.push_back(
+        {extinction, scattering / extinction, body.medium.g, body.medium.eta,
+         body.paint ? std::make_shared<const Layer>(body, static_cast<int>(channel)) : nullptr});
+  }
+  return interiors;
+}
+
+std::vector<double> densestOf(const Scene& scene, const std::vector<Interior>& interiors) {
   std::vector<double> densest(interiors.size(), 0);
   std::vector<int> parts(interiors.size(), 0);
   for (std::uint32_t body = 0; body < interiors.size(); ++body) {
@@ -82,8 +104,7 @@ void Walk::meetTilted(const Particle& particle, Random& random,
     for (double left = falling * reflectance + random(); left >= 1; left -= 1)
       others.push_back(next);
   next.inside = true;
-  next.direction = refracted(particle.direction, normal, eta);
-  if (dot(next.direction, facet) >= 0) next.direction = refracted(particle.direction, facet, eta);
+  next.direction = refractedInto(facet, particle.direction, normal, eta);
   for (double left = falling * (1 - reflectance) + random(); left >= 1; left -= 1)
     others.push_back(next);
 }

@@ -27,7 +27,17 @@ struct Interior {
   double g = 0;            ///< mean cosine, Henyey and Greenstein 1941
   double eta = 1;
   std::shared_ptr<const Layer> layer{};  ///< on its surface; null if there is none
+
+  /// The share of light that passes the layer at a point, at that cosine inside.
+  double passing(const SurfacePoint& point, double cosine) const {
+    return layer ? std::exp(-layer->thicknessAt(point) / std::max(cosine, 1e-9)) : 1;
+  }
 };
+
+/// One for each body.
+std::vector<Interior> interiorsOf(const Scene& scene, std::size_t channel);
+/// For each body the extinction of its densest medium; 0 where it has only one.
+std::vector<double> densestOf(const Scene& scene, const std::vector<Interior>& interiors);
 
 /// Light on its way through space outside all bodies.
 struct Flight {
@@ -119,14 +129,10 @@ class Walk {
     return interiors_[geometry_.nearestPart(body, place)];
   }
 
-  /// For each body the extinction of its densest medium; 0 where it has only one.
-  static std::vector<double> densestOf(const Scene& scene, const std::vector<Interior>& interiors);
-
   /// Whether a particle passes the layer at a point, at that cosine inside.
   static bool passes(const Interior& interior, const SurfacePoint& point, double cosine,
                      Random& random) {
-    return !interior.layer ||
-           random() < std::exp(-interior.layer->thicknessAt(point) / std::max(cosine, 1e-9));
+    return !interior.layer || random() < interior.passing(point, cosine);
   }
 
   std::optional<Geometry::Hit> next(const Particle& particle) const {
@@ -147,6 +153,9 @@ Vector mirrored(const Vector& direction, const Vector& normal);
 /// The direction refracted into a medium of relative index `eta` (Snell 1621). `normal` must oppose
 /// the direction, and there must be a refracted direction.
 Vector refracted(const Vector& direction, const Vector& normal, double eta);
+/// The direction of light that enters through a facet by the normal of a texture, if it can.
+Vector refractedInto(const Vector& facet, const Vector& direction, const Vector& normal,
+                     double eta);
 /// Samples a new direction from the phase function.
 Vector scattered(const Vector& direction, double g, Random& random);
 // ---- implementation

@@ -233,6 +233,71 @@ TEST(OpaqueTruthTest, LightGoesStraightThroughAPlate) {
   }
 }
 
+// A luminous floor seen through a plate that only absorbs, by Fresnel's and Beer's laws for all
+// reflections between the plate's sides.
+TEST(OpaqueTruthTest, AFloorIsSeenThroughAPlate) {
+  constexpr double eta = 1.4;
+  constexpr double thickness = 1;
+  const Medium grey{"grey", {1e-6, 1e-6, 1e-6}, {0.2, 0.5, 1.2}, eta};
+  const Scene scene =
+      test::sceneOfBodies({test::bodyOf(test::box({0, 0, 4}, {60, 60, thickness / 2}, 1), grey),
+                           opaqueBody(square({0, 0, 0}, 200), luminous(1, 0))});
+  const Eye eye(scene);
+  for (const double degrees : {0.0, 30.0, 50.0}) {
+    const double angle = degrees * pi / 180;
+    const Colour seen = eye.radianceFrom({10 * std::sin(angle), 1, 4.5 + 10 * std::cos(angle)},
+                                         {0, 1, 4.5}, 40'000);
+    const double inside = std::sqrt(1 - std::pow(std::sin(angle) / eta, 2));
+    const double mirrored = bssrdf::fresnelReflectance(eta, std::cos(angle));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double left = std::exp(-grey.sigmaAPerMm[c] * thickness / inside);
+      const double expected = (1 - mirrored) * (1 - mirrored) * left /
+                              (1 - mirrored * mirrored * left * left);
+      EXPECT_NEAR(seen[c] / expected, 1, 0.01) << degrees << " " << c;
+    }
+  }
+}
+
+// A white ball one mean free path thick is invisible in a white furnace, since what it does not
+// scatter is seen through it. Light that scatters is taken to leave evenly, so this holds for the
+// mean over the disc.
+TEST(OpaqueTruthTest, AThinBallIsNotSeenInAWhiteFurnace) {
+  constexpr double radius = 2;
+  const Medium thin{"thin", {0.25, 0.25, 0.25}, {0, 0, 0}, 1.3};
+  Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, radius, 4), thin)});
+  scene.lighting.ambient = {1, 1, 1};
+  Eye eye(scene);
+  eye.tracer().run(400'000);
+  constexpr int places = 2000;
+  double sum = 0;
+  for (int i = 0; i < places; ++i) {
+    const double across = radius * std::sqrt((i + 0.5) / places);
+    const Vector place{across * std::cos(2.4 * i), across * std::sin(2.4 * i), 0};
+    sum += eye.radianceFrom(place + Vector{0, 0, 60}, place, 1000)[1] / places;
+  }
+  EXPECT_NEAR(sum, 1, 0.01);
+}
+
+// Nor is a white glossy ball beside it, which gives back light that went straight through it.
+TEST(OpaqueTruthTest, LightThroughMediaIsCountedOnce) {
+  OpaqueMaterial glossy = mattMaterial({1, 1, 1});
+  glossy.specular = 1;
+  glossy.roughness = 0.3F;
+  const Medium thin{"thin", {0.25, 0.25, 0.25}, {0, 0, 0}, 1.3};
+  Scene scene = test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 2, 4), glossy),
+                                     test::bodyOf(test::sphere({3, 0, 1.5F}, 1.2F, 4), thin)});
+  scene.lighting.ambient = {1, 1, 1};
+  Eye eye(scene);
+  eye.tracer().run(1'000'000);
+  constexpr int across = 40;
+  double sum = 0;
+  for (int i = 0; i < across * across; ++i) {
+    const Vector place{0.5 + 0.02 * (i % across), 0.02 * (i / across) - 0.4, 0};
+    sum += eye.radianceFrom(place + Vector{0, 0, 60}, place, 40)[1] / (across * across);
+  }
+  EXPECT_NEAR(sum, 1, 0.01);
+}
+
 /// A material whose left half is transparent.
 OpaqueMaterial halfCutOut() {
   TexturePixels pixels;

@@ -54,7 +54,8 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
        .skyIsMirrored = inputs.mirrorsSky,
        .bodiesAreMirrored = inputs.mirrorsBodies,
        .leavesSmooth = inputs.leavesSmooth,
-       .byOrigin = inputs.byOrigin});
+       .byOrigin = inputs.byOrigin,
+       .seesThrough = inputs.seesThrough});
   commands.endPass();
 }
 

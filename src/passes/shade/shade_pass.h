@@ -38,6 +38,7 @@ class ShadePass {
     bool leavesSmooth;   ///< light leaves as through a smooth surface, for any roughness
     bool byOrigin;  ///< bodies with an inside follow exitLaw(); VisibleSurfaces::origins or those
                     ///< of vertices are known
+    bool seesThrough;  ///< VisibleSurfaces::materials has what is seen through thin parts
   };
   /// Leaves the radiance of translucent surfaces, times coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

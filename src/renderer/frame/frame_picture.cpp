@@ -1,6 +1,7 @@
 #include "renderer/frame/frame_picture.h"
 
 #include <cstdint>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame/camera_view.h"
 
@@ -111,12 +112,18 @@ struct PictureOfFrame : FrameContext {
         resources.tables, resources.shadows, resources.exitance, resources.sky, plan.roughness,
         atFragments(), plan.specular, plan.mirrorsSky, plan.mirrorsBodies,
         // Jensen et al. 2001, Eq. 5.
-        plan.transport == Transport::Dipole, leavesByOrigin(plan)};
+        plan.transport == Transport::Dipole, leavesByOrigin(plan),
+        seesThrough(plan, resources.tables)};
     if (plan.specular && (carriesOpaque(plan) || plan.mirrorsBodies))
       passes.mirroredScene.record(commands,
                                   {resources.tables, scene.surfels, scene.rays, scene.clusters,
                                    plan.mirrorsBodies, boundary(), plan.roughness},
                                   firstRow, seen());
+    if (inputs.seesThrough)
+      passes.seenThrough.record(commands,
+                                {resources.tables, scene.surfels, scene.rays, scene.clusters,
+                                 resources.backdrop, glm::make_vec3(plan.ambient.data())},
+                                seen());
     passes.shade.record(commands, inputs, seen());
     if (carriesOpaque(plan)) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)

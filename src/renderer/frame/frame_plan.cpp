@@ -119,6 +119,10 @@ bool mirrorsBodies(const FramePlan& plan, const Scene& scene) {
          (plan.opaque || plan.transport == Transport::Boundary);
 }
 
+bool seesThrough(const FramePlan& plan, const passes::SceneTables& tables) {
+  return solves(plan) && plan.samples > 0 && tables.haveThinParts;
+}
+
 bool showsLights(const FramePlan& plan, const Lighting& lighting) {
   return plan.samples > 0 && std::any_of(lighting.areas.begin(), lighting.areas.end(), isVisible);
 }

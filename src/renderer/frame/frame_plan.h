@@ -99,6 +99,9 @@ bool leavesByOrigin(const FramePlan& plan);
 /// which is left out.
 bool mirrorsBodies(const FramePlan& plan, const Scene& scene);
 
+/// Whether the picture shows what is seen through thin parts of bodies.
+bool seesThrough(const FramePlan& plan, const passes::SceneTables& tables);
+
 /// Whether the picture itself shows lights, or anything where there is no surface.
 bool showsLights(const FramePlan& plan, const Lighting& lighting);
 bool showsBackdrop(const FramePlan& plan, const Lighting& lighting);

@@ -29,6 +29,7 @@ Passes::Passes(gpu::Device& device)
       mirroredScene(device),
       reflectedSky(device),
       reflectedLights(device),
+      seenThrough(device),
       shade(device),
       backdrop(device),
       centres(device),

@@ -30,6 +30,7 @@
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
+#include "passes/shade/seen_through_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "passes/sky/sky_pass.h"
 
@@ -67,6 +68,7 @@ struct Passes {
   passes::MirroredScenePass mirroredScene;
   passes::ReflectedSkyPass reflectedSky;
   passes::ReflectedLightsPass reflectedLights;
+  passes::SeenThroughPass seenThrough;
   passes::ShadePass shade;
   passes::BackdropPass backdrop;
   passes::CentresPass centres;

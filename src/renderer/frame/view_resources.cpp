@@ -55,7 +55,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (media || transport || surface)
     makeTables(device_, passes_, scene, options, edited.scene(), made_);
   if (sky) makeSky(device_, passes_, lighting, options, glossy, made_);
-  const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
+  const bool behind = sky || media || transport ||
+                      before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
@@ -88,11 +89,12 @@ void ViewResources::forget() {
 // Uses the environment as it was given, so that its suns are visible.
 void ViewResources::makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew) {
   const Lighting& given = edited.scene().lighting;
-  const bool wanted = showsBackdrop(plan, given);
+  const bool through = seesThrough(plan, made_.tables);
+  const bool wanted = showsBackdrop(plan, given) || through;
   if (!wanted || anew) made_.backdrop = {};
   if (!wanted || made_.backdrop.environment) return;
   made_.backdrop = passes::BackdropPass::makeBackdrop(
-      device_, plan.environmentBehind ? given.environment.get() : nullptr);
+      device_, plan.environmentBehind || through ? given.environment.get() : nullptr);
 }
 
 void ViewResources::makeExitance(const SceneResources& scene) {
@@ -131,7 +133,8 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
   const passes::KeptOfSeen kept{
-      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
+      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces ||
+                   plan.mirrorsBodies || seesThrough(plan, made_.tables),
       .paint = surfaces.kept.paint || plan.painted,
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
       .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || plan.opaque,

@@ -7,6 +7,7 @@
 #include "lib/axes.glsl"
 #include "lib/boundary.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/places_in_pixel.glsl"
 #include "lib/rays.glsl"
 #include "lib/texels.glsl"
 
@@ -59,9 +60,6 @@ vec3 throughAround(vec3 position, vec3 outside, vec3 direction, float furthest, 
 // The width and the height on the surface of what asks for light, mm: those of a pixel, or 0.
 mat2x3 extent = mat2x3(0.0);
 
-// Places in it, one in each row and column of four. The first two are opposite each other.
-const vec2 placesInExtent[4] = vec2[4](vec2(-0.125, -0.375), vec2(0.125, 0.375), vec2(0.375, -0.125), vec2(-0.375, 0.125));
-
 // They lie this part of the extent above the facet's plane, since the surface may rise beside it.
 const float aboveExtent = 0.1;
 
@@ -77,7 +75,7 @@ vec3 arrivingPart(float visible, vec3 position, vec3 outside, vec3 direction, fl
   vec3 first = vec3(0.0);
   uint places = extent == mat2x3(0.0) ? 1u : 2u;
   for (uint k = 0u; k < places; ++k) {
-    vec3 place = position + extent * placesInExtent[k] + above;
+    vec3 place = position + extent * placesInPixel[k] + above;
     vec4 through = throughFrom(place, outside, direction, furthest);
     if (through.w == 0.0) through.rgb = throughAround(place, outside, direction, furthest, reach);
     sum += through.rgb;

@@ -1,4 +1,4 @@
-// The area lights that are seen in the picture itself. Needs lib/frame.glsl.
+// The area lights that lines of sight meet. Needs lib/frame.glsl.
 #ifndef OPALINE_LIB_VISIBLE_LIGHT
 #define OPALINE_LIB_VISIBLE_LIGHT
 #include "lib/light.glsl"
@@ -46,13 +46,13 @@ float distanceToTube(LightData light, vec3 from, vec3 direction) {
   return abs(dot(near * direction - offset, axis)) <= reach ? near : notMet;
 }
 
-// Infinity where no light is met; else its radiance is set.
-float distanceToLights(vec3 from, vec3 direction, out vec3 radiance) {
+// Infinity where no light is met; else its radiance is set. Some lights are not seen in the picture itself.
+float distanceToLights(vec3 from, vec3 direction, bool inPicture, out vec3 radiance) {
   float nearest = uintBitsToFloat(0x7f800000u);
   radiance = vec3(0.0);
   for (uint i = firstAreaLight(); i < allLightsAt(direction); ++i) {
     LightData light = frame.lights[i];
-    if (light.depth.x == 0.0) continue;
+    if (inPicture && light.depth.x == 0.0) continue;
     float met = light.kind.w == sphereShape ? distanceToSphere(light, from, direction)
               : light.kind.w == tubeShape   ? distanceToTube(light, from, direction)
                                             : distanceToPlanar(light, from, direction);

@@ -15,7 +15,7 @@ layout(location = 0) out uint seen;
 void main() {
   Sight sight = sightThrough(2.0 * (gl_FragCoord.xy + offset) / size - 1.0);
   vec3 radiance;
-  float far = distanceToLights(sight.origin, sight.direction, radiance);
+  float far = distanceToLights(sight.origin, sight.direction, true, radiance);
   if (isinf(far)) discard;
   vec4 clip = frame.worldToClip * vec4(sight.origin + far * sight.direction, 1.0);
   gl_FragDepth = clamp(clip.z / clip.w, 0.0, 1.0);

@@ -20,7 +20,7 @@ layout(push_constant) uniform Push {
 
 vec4 seenAlong(Sight sight, float level) {
   vec3 ofLight;
-  if (!isinf(distanceToLights(sight.origin, sight.direction, ofLight))) return vec4(ofLight, 1.0);
+  if (!isinf(distanceToLights(sight.origin, sight.direction, true, ofLight))) return vec4(ofLight, 1.0);
   return fills * vec4(textureLod(environment, latLongCoordinates(sight.direction), level).rgb + ambient.rgb, 1.0);
 }
 

@@ -46,6 +46,7 @@ layout(push_constant) uniform Push {
   uint round;
 };
 
+#include "lib/exitance_met.glsl"
 #include "lib/neighbours.glsl"
 
 // The rounds of MirroredScenePass.
@@ -57,26 +58,6 @@ uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
-vec3 exitanceOf(uint cluster, bool opaque) {
-  return opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb;
-}
-
-// At a place of a body, by the clusters around, or else by its own.
-vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
-  bool opaque = isOpaque(body);
-  vec3 sum = vec3(0.0);
-  float all = 0.0;
-  uint node = body.clusters.x;
-  while (node < body.clusters.y) {
-    uint i;
-    float weight = weightOfNext(node, place, normal, i);
-    if (weight <= 0.0) continue;
-    sum += weight * exitanceOf(i, opaque);
-    all += weight;
-  }
-  return all > 0.0 ? sum / all : exitanceOf(own, opaque);
-}
-
 // From this width of the lobe on, it sees patches of clusters as their mean.
 const float leastAlphaOfMeans = 0.146;
 
@@ -86,14 +67,9 @@ const float leastWeight = 0.125;
 // w: how much it counts, 0 where it is not known.
 vec4 radianceAt(vec3 place, uint piece, vec3 direction, float itsAlpha) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
-  ObjectData body = objects[objectOfPiece(piece)];
-  bool opaque = isOpaque(body);
+  bool opaque = isOpaque(objects[objectOfPiece(piece)]);
   float counts = opaque ? 1.0 : insides != 0u ? leastWeight * floor(clusters[cluster].second.w / leastWeight + 0.5) : 0.0;
-  vec3 facet = facetNormal(piece);
-  if (hasBack(body) && clusters[cluster].along.w * dot(facet, direction) > 0.0) cluster = backOf(cluster, body);
-  if (itsAlpha >= leastAlphaOfMeans || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, counts);
-  vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
-  return vec4(exitanceAt(place, normal, body, cluster) / pi, counts);
+  return vec4(exitanceMet(place, piece, direction, itsAlpha < leastAlphaOfMeans) / pi, counts);
 }
 
 Mirror mirrorOf(Seen seen, MeshPlace place, bool opaque) {

@@ -45,6 +45,7 @@ layout(push_constant) uniform Push {
   uint bodiesAreMirrored;  // 1: `materials` holds what is mirrored of them, where that is known
   uint leavesSmooth;  // 1: light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
   uint byOrigin;  // 1: by exitLaw(); 0: evenly
+  uint seesThrough;  // 1: `materials` holds what is seen through thin parts
 };
 
 // The sky is already seen through the lobe.
@@ -116,6 +117,7 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   if (byOrigin != 0u)
     scattered *= exitLaw(medium, cosine, atFragments != 0u ? origins[seen.entry] : meshOriginAt(place));
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
+  if (seesThrough != 0u) scattered += (1.0 - kept) * materials[seen.entry].emission.rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? skyShares[seen.entry] : 1.0;
   vec3 bodies = left / pi;

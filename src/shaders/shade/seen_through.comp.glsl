@@ -1,0 +1,262 @@
+// What is seen through translucent surfaces by light that the body does not scatter: lines of sight are refracted into
+// it and out of it, and go on until they meet an opaque surface, a light or the sky. On the way they meet other bodies,
+// whose light is added.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_SEEN 1
+#define BINDING_SEEN_LIST 2
+#define MESH_BINDING 9
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#define BINDING_PIECE_CORNERS 6
+#define BINDING_RAYS 7
+#define BINDING_CLUSTER_PAINTS 8
+#define BINDING_CLUSTER_NODES 20
+#define BINDING_CLUSTERS 13
+#define BINDING_PIECES 21
+#include "lib/frame.glsl"
+#include "lib/boundary.glsl"
+#include "lib/clusters_around.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/lat_long.glsl"
+#include "lib/piece_at.glsl"
+#include "lib/places_in_pixel.glsl"
+#include "lib/rays.glsl"
+#include "lib/seen_list.glsl"
+#include "lib/footprint.glsl"
+#include "lib/sight.glsl"
+#include "lib/visible_light.glsl"
+#include "shared/opaque.h"
+
+layout(std430, set = 0, binding = 14) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 15) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
+layout(std430, set = 0, binding = 16) readonly buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 17) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
+layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[]; };
+layout(set = 0, binding = 19) uniform sampler2D environment;
+
+layout(constant_id = 0) const uint withPaint = 0u;
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
+  uint ownSurfaces;  // 1: `materials` has normals of translucent surfaces
+  vec4 ambient;      // rgb: radiance of the sky on top of the environment's
+};
+
+#include "lib/exitance_met.glsl"
+#include "lib/through_bodies.glsl"
+
+uint firstPieceOf(uint object) {
+  return objects[object].table.y * piecesPerSurfel;
+}
+
+// Of the light behind, less than this is not seen. It fades in over as much again.
+const float leastSeen = 0.002;
+
+// A line of sight on its way.
+struct Sightline {
+  vec3 origin;
+  vec3 direction;  // unit
+  float least;     // what is nearer than this is behind it, mm
+  uint inside;     // the object that it is in, or everyObject
+  vec3 share;      // of the light there that is seen
+};
+
+// What a line of sight meets.
+struct Surface {
+  uint object;
+  uint cluster;
+  vec3 side;    // unit, at right angles to the facet, outwards
+  vec3 normal;  // unit, interpolated
+};
+
+vec3 weightsIn(mat3 corners, vec3 place) {
+  vec3 across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  vec3 weights;
+  for (int i = 0; i < 3; ++i)
+    weights[i] = max(dot(cross(corners[(i + 1) % 3] - place, corners[(i + 2) % 3] - place), across), 0.0);
+  return weights / max(weights.x + weights.y + weights.z, 1e-30);
+}
+
+// Facets would break up what is seen into as many pictures.
+Surface surfaceMet(uint met, vec3 place) {
+  uint cluster = clusterOfSurfel[met / piecesPerSurfel];
+  vec3 side = windingOf(cluster) * facetNormal(met);
+  SurfelPiece piece = pieceAt(met);
+  uvec3 vertices = uvec3(piece.a, piece.b, piece.c);
+  mat3 corners = mat3(positionOf(vertices.x), positionOf(vertices.y), positionOf(vertices.z));
+  vec3 normal = normalOn(vertices, weightsIn(corners, place));
+  return Surface(objectOfPiece(met), cluster, side, dot(normal, side) < 0.0 ? -normal : normal);
+}
+
+RayTarget everything() {
+  return RayTarget(0u, nodeCount, everyObject);
+}
+
+float extinctionOf(uint object) {
+  return leastOf(insideOf(objects[object]).collision.rgb);
+}
+
+// What the paint of a cluster of that object lets through.
+vec3 throughPaintOf(uint cluster, uint object, float cosine) {
+  return throughPaint(cluster, insideOf(objects[object]), cosine);
+}
+
+vec3 skyAlong(vec3 direction) {
+  // Texels are as large as pixels.
+  float texel = pi / float(textureSize(environment, 0).y);
+  float level = max(log2(angleOfPixel(textureSize(seenWords, 0).y) / texel), 0.0);
+  return textureLod(environment, latLongCoordinates(direction), level).rgb + ambient.rgb;
+}
+
+// Refracts it at a surface with that unit normal on the side that it comes from. False where all is mirrored.
+bool refractAt(vec3 normal, float overEta, inout Sightline its) {
+  vec3 refracted = refract(its.direction, normal, overEta);
+  bool refracts = dot(refracted, refracted) > 0.25;
+  its.direction = normalize(refracts ? refracted : reflect(its.direction, normal));
+  return refracts;
+}
+
+// Goes on behind a place at that distance.
+void moveTo(float distance, inout Sightline its) {
+  its.origin += distance * its.direction;
+  its.least = startAbove(its.origin);
+}
+
+void passBy(float distance, inout Sightline its) {
+  its.least += distance;
+}
+
+float etaOf(uint object, vec3 place) {
+  return mediumAt(objects[object], place).boundary.x;
+}
+
+// Inside of a body: leaves it, or is mirrored as a whole. False if it ends there.
+bool goThroughBody(RayHit hit, inout Sightline its) {
+  Surface met = surfaceMet(hit.piece, its.origin + hit.distance * its.direction);
+  if (isOpaque(objects[met.object])) return false;
+  if (met.object != its.inside || dot(met.side, its.direction) <= 0.0) {  // no boundary of the body
+    passBy(hit.distance, its);
+    return true;
+  }
+  its.share *= exp(-hit.distance * insideOf(objects[met.object]).collision.rgb);
+  moveTo(hit.distance, its);
+  float cosine = dot(met.side, its.direction);
+  if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
+  float eta = etaOf(met.object, its.origin);
+  if (!refractAt(-met.normal, eta, its)) {
+    if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
+    return true;
+  }
+  its.share *= 1.0 - fresnelReflectance(eta, clamp(dot(met.normal, its.direction), 0.0, 1.0));
+  its.inside = everyObject;
+  return true;
+}
+
+// Outside: adds the light of what it meets. False if it ends there.
+bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
+  Surface met = surfaceMet(hit.piece, its.origin + hit.distance * its.direction);
+  bool hasInside = ranges[met.cluster].kind == bodyWithInside;
+  if (hasInside && dot(met.side, its.direction) >= 0.0) {  // an edge of the surface that it has left
+    passBy(hit.distance, its);
+    return true;
+  }
+  moveTo(hit.distance, its);
+  seen += its.share * exitanceMet(its.origin, hit.piece, its.direction, true) / pi;
+  if (!hasInside) return false;
+  float eta = etaOf(met.object, its.origin);
+  its.share *= 1.0 - fresnelReflectance(eta, clamp(-dot(met.normal, its.direction), 0.0, 1.0));
+  refractAt(dot(met.normal, its.direction) < 0.0 ? met.normal : met.side, 1.0 / eta, its);
+  its.inside = met.object;
+  if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, -dot(met.side, its.direction));
+  return true;
+}
+
+// The light along a line of sight that has just entered a body, and how much of what is behind that body is seen.
+vec4 seenAlong(Sightline its) {
+  vec3 seen = vec3(0.0);
+  float most = 0.0;
+  for (uint surfaces = 0u; surfaces < mostSurfacesOfWay; ++surfaces) {
+    bool within = its.inside != everyObject;
+    float largest = largestOf(its.share);
+    if (largest <= leastSeen) break;
+    float reach = within ? log(largest / leastSeen) / extinctionOf(its.inside) : 3e38;
+    RayHit hit = nearestHit(its.origin, its.direction, its.least, reach, everything());
+    if (within) {
+      if (hit.piece == noPiece || !goThroughBody(hit, its)) break;
+      if (its.inside == everyObject) {
+        float left = largestOf(its.share);
+        its.share *= smoothstep(leastSeen, 2.0 * leastSeen, left);
+        most = max(most, left);
+      }
+      continue;
+    }
+    vec3 ofLight;
+    float distance = distanceToLights(its.origin, its.direction, false, ofLight);
+    if (hit.piece == noPiece || distance < hit.distance) {
+      seen += its.share * (isinf(distance) ? skyAlong(its.direction) : ofLight);
+      break;
+    }
+    if (!goToBody(hit, its, seen)) break;
+  }
+  return vec4(seen, most);
+}
+
+// What the paint of a surface that is seen itself lets through.
+vec3 throughOwnPaint(vec3 position, MeshPlace place, float cosine) {
+  float start = startAbove(position);
+  RayHit hit = nearestHit(position + 2.0 * start * place.facet, -place.facet, 0.0, 4.0 * start, everything());
+  if (hit.piece == noPiece || objectOfPiece(hit.piece) != place.object) return vec3(1.0);
+  return throughPaintOf(clusterOfSurfel[hit.piece / piecesPerSurfel], place.object, cosine);
+}
+
+// The normal by which a line of sight in that direction enters what a pixel sees: that of the surface, unless it is
+// tilted too far.
+vec3 enteringNormal(Seen seen, MeshPlace place, vec3 direction, float eta) {
+  vec3 normal = ownSurfaces != 0u ? materials[seen.entry].normal.xyz : place.normal;
+  bool enters = dot(normal, direction) < 0.0 && dot(refract(direction, normal, 1.0 / eta), place.facet) < 0.0;
+  return enters ? normal : place.facet;
+}
+
+vec4 seenFrom(vec3 position, Seen seen, MeshPlace place) {
+  Sightline its = Sightline(position, -normalize(toCameraFrom(position)), startAbove(position), place.object, vec3(1.0));
+  float eta = etaOf(place.object, position);
+  refractAt(enteringNormal(seen, place, its.direction, eta), 1.0 / eta, its);
+  float cosine = -dot(place.facet, its.direction);
+  vec4 found = seenAlong(its);
+  if (withPaint != 0u && found.w > 0.0) found.rgb *= throughOwnPaint(position, place, cosine);
+  return found;
+}
+
+// Where two places differ by more than this part of the brighter one, two more are asked.
+const float leastDifference = 0.02;
+
+vec3 seenThrough(Seen seen, MeshPlace place) {
+  mat2x3 over = weightsOver(seen, place);
+  mat3 corners =
+      mat3(positionOf(place.vertices.x), positionOf(place.vertices.y), positionOf(place.vertices.z));
+  vec3 sum = vec3(0.0);
+  vec3 firstOfAll = vec3(0.0);
+  uint places = 2u;
+  for (uint k = 0u; k < places; ++k) {
+    vec3 weights = max(place.weights + over * placesInPixel[k], 0.0);  // not beyond the triangle
+    vec4 found = seenFrom(corners * weights / (weights.x + weights.y + weights.z), seen, place);
+    if (k == 0u && found.w == 0.0) return vec3(0.0);
+    sum += found.rgb;
+    if (k == 0u) firstOfAll = found.rgb;
+    if (k == 1u && largestOf(abs(found.rgb - firstOfAll)) > leastDifference * largestOf(sum)) places = 4u;
+  }
+  return sum / float(places);
+}
+
+void main() {
+  Seen seen = seenOfInvocation(first);
+  if (!seen.there) return;
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  ObjectData body = objects[place.object];
+  if (isOpaque(body)) return;
+  bool enters = place.side > 0.0 && dot(place.facet, toCameraFrom(place.inside)) > 0.0;
+  materials[seen.entry].emission = vec4(enters ? seenThrough(seen, place) : vec3(0.0), 0.0);
+}
