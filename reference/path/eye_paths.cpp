@@ -88,9 +88,12 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
 EyePaths::Vertex EyePaths::opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
                                         const Colour& emission, const Vector& toEye) const {
   const Sides sides = sidesOf(geometry_.scene().bodies[point.body], point, toEye);
-  Vertex vertex{point,    toEye,
+  Vertex vertex{point,
+                toEye,
                 Reflection(surface, sides.normal, sides.outside, toEye),
-                emission, surface.occlusion, surface.unlit};
+                emission,
+                surface.occlusion,
+                surface.unlit};
   if (!vertex.ends)
     vertex.own += vertex.reflection.ofDiffuse(tracer_.straightThrough(point, sides.outside),
                                               tracer_.straightThrough(point, -sides.outside));

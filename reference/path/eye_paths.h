@@ -67,7 +67,8 @@ class EyePaths {
   std::optional<Step> next(const Vertex& vertex, Share& share, Random& random) const;
   std::optional<Step> mirrored(const Vertex& vertex, Share& share, Random& random) const;
   Colour lightAt(const Vertex& vertex, Random& random) const;
-  /// The share of the light inside of a medium that is not mirrored back from an eye at that cosine.
+  /// The share of the light inside of a medium that is not mirrored back from an eye at that
+  /// cosine.
   double letOut(std::uint32_t body, double alpha, double cosine) const;
 
   const Geometry& geometry_;

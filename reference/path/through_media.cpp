@@ -15,8 +15,7 @@ ThroughMedia::ThroughMedia(const Geometry& geometry) : geometry_(geometry) {
 
 Colour ThroughMedia::pastLayer(const SurfacePoint& point, double cosine) const {
   Colour share{1, 1, 1};
-  for (std::size_t c = 0; c < 3; ++c)
-    share[c] = interiors_[c][point.body].passing(point, cosine);
+  for (std::size_t c = 0; c < 3; ++c) share[c] = interiors_[c][point.body].passing(point, cosine);
   return share;
 }
 
@@ -56,8 +55,8 @@ std::optional<ThroughMedia::Exit> ThroughMedia::from(const SurfacePoint& point,
   for (int surface = 0; surface < mostSurfaces; ++surface) {
     const auto hit = geometry_.closestHit(way.point, way.direction);
     if (!hit) return std::nullopt;
-    way.share = product(way.share,
-                        left(body, way.point.position, way.direction, hit->distanceMm, random));
+    way.share =
+        product(way.share, left(body, way.point.position, way.direction, hit->distanceMm, random));
     if (*std::ranges::max_element(way.share) < leastShare) return std::nullopt;
     way.point = hit->point;
     if (scene.bodies[hit->point.body].opaque) return std::nullopt;

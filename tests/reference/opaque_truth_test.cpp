@@ -251,8 +251,8 @@ TEST(OpaqueTruthTest, AFloorIsSeenThroughAPlate) {
     const double mirrored = bssrdf::fresnelReflectance(eta, std::cos(angle));
     for (std::size_t c = 0; c < 3; ++c) {
       const double left = std::exp(-grey.sigmaAPerMm[c] * thickness / inside);
-      const double expected = (1 - mirrored) * (1 - mirrored) * left /
-                              (1 - mirrored * mirrored * left * left);
+      const double expected =
+          (1 - mirrored) * (1 - mirrored) * left / (1 - mirrored * mirrored * left * left);
       EXPECT_NEAR(seen[c] / expected, 1, 0.01) << degrees << " " << c;
     }
   }

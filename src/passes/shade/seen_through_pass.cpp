@@ -8,6 +8,13 @@
 
 namespace opaline::passes {
 
+namespace {
+
+// The rounds of shade/seen_through.comp.
+enum Round : std::uint32_t { LookingOnce, LookingAgain };
+
+}  // namespace
+
 SeenThroughPass::SeenThroughPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       aroundHorizon_(device, gpu::Filter::Linear, gpu::Wrap::Repeat, gpu::Wrap::Clamp),
@@ -15,32 +22,38 @@ SeenThroughPass::SeenThroughPass(gpu::Device& device)
                  {device, "seen through", {.withPaint = 1}}} {}
 
 void SeenThroughPass::record(gpu::CommandList& commands, const Inputs& inputs,
-                             const SeenSurfaces& seen) const {
+                             std::uint32_t firstRow, const SeenSurfaces& seen) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
   Clusters& clusters = inputs.clusters;
   SceneTables& tables = inputs.tables;
   commands.beginPass("seen through");
-  dispatchParts(commands, seen.surfaces, pipelines_.of(tables.paint.any),
-                {.listedPlaces = listedPlaces(seen, nearest_),
-                 .objects = tables.objects,
-                 .media = tables.media,
-                 .pieceCorners = inputs.rays.corners,
-                 .rayHierarchy = passes::rays(inputs.rays),
-                 .clusterPaints = tables.paint.clusters,
-                 .clusters = clusters.clusters,
-                 .ranges = clusters.ranges,
-                 .clusterOfSurfel = clusters.clusterOfSurfel,
-                 .exitances = clusters.exitances,
-                 .opaqueExitances =
-                     tables.opaqueExitances ? tables.opaqueExitances : clusters.exitances,
-                 .materials = seen.surfaces.materials,
-                 .environment = {inputs.backdrop.environment, aroundHorizon_},
-                 .clusterNodes = clusters.nodes,
-                 .pieces = inputs.surfels.pieces},
-                {.first = 0,
-                 .nodeCount = inputs.surfels.tree.nodeCount,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .ownSurfaces = tables.surfaces.any,
-                 .ambient = glm::vec4(inputs.ambient, 0)});
+  for (const Round round : {LookingOnce, LookingAgain})
+    dispatchParts(
+        commands, surfaces, pipelines_.of(tables.paint.any),
+        {.listedPlaces = listedPlaces(seen, nearest_),
+         .objects = tables.objects,
+         .media = tables.media,
+         .pieceCorners = inputs.rays.corners,
+         .rayHierarchy = passes::rays(inputs.rays),
+         .clusterPaints = tables.paint.clusters,
+         .clusters = clusters.clusters,
+         .ranges = clusters.ranges,
+         .clusterOfSurfel = clusters.clusterOfSurfel,
+         .exitances = clusters.exitances,
+         .opaqueExitances = tables.opaqueExitances ? tables.opaqueExitances : clusters.exitances,
+         .materials = surfaces.materials,
+         .environment = {inputs.backdrop.environment, aroundHorizon_},
+         .clusterNodes = clusters.nodes,
+         .pieces = inputs.surfels.pieces,
+         .found = surfaces.ofPixels[0]},
+        {.ambient = glm::vec4(inputs.ambient, 0),
+         .first = 0,
+         .nodeCount = inputs.surfels.tree.nodeCount,
+         .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+         .ownSurfaces = tables.surfaces.any,
+         .firstRow = firstRow,
+         .rows = surfaces.rowsFrom(firstRow),
+         .round = round});
   commands.endPass();
 }
 

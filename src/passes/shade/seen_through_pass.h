@@ -27,8 +27,10 @@ class SeenThroughPass {
     Backdrop& backdrop;
     glm::vec3 ambient;  ///< radiance of the sky on top of the environment's
   };
-  /// Writes shared::SeenMaterial::emission of translucent surfaces.
-  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+  /// Writes shared::SeenMaterial::behind of translucent surfaces. More is looked at where pixels
+  /// side by side see different things.
+  void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
+              const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;

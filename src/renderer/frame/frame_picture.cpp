@@ -123,7 +123,7 @@ struct PictureOfFrame : FrameContext {
       passes.seenThrough.record(commands,
                                 {resources.tables, scene.surfels, scene.rays, scene.clusters,
                                  resources.backdrop, glm::make_vec3(plan.ambient.data())},
-                                seen());
+                                firstRow, seen());
     passes.shade.record(commands, inputs, seen());
     if (carriesOpaque(plan)) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)

@@ -55,8 +55,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (media || transport || surface)
     makeTables(device_, passes_, scene, options, edited.scene(), made_);
   if (sky) makeSky(device_, passes_, lighting, options, glossy, made_);
-  const bool behind = sky || media || transport ||
-                      before->options.environmentBehind != options.environmentBehind;
+  const bool behind =
+      sky || media || transport || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
   if (whole) makeExitance(scene);
   if (size) makeImages(options);
@@ -132,12 +132,12 @@ void ViewResources::makeRoom(const FramePlan& plan, const Lighting& lighting, bo
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
+  const bool looksFurther = plan.opaque || plan.mirrorsBodies || seesThrough(plan, made_.tables);
   const passes::KeptOfSeen kept{
-      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces ||
-                   plan.mirrorsBodies || seesThrough(plan, made_.tables),
+      .materials = surfaces.kept.materials || plan.ownSurfaces || looksFurther,
       .paint = surfaces.kept.paint || plan.painted,
       .origins = surfaces.kept.origins || leavesByOrigin(plan),
-      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || plan.opaque,
+      .ofPixels = surfaces.kept.ofPixels || looksFurther,
       .drawn = surfaces.kept.drawn || (!showsBackdrop(plan, lighting) && !cutOut)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     sight.reset();

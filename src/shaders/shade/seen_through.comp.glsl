@@ -34,19 +34,27 @@ layout(std430, set = 0, binding = 16) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 17) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 19) uniform sampler2D environment;
+layout(std430, set = 0, binding = 22) buffer FoundOfPixels { vec4 found[]; };  // by the first surfaces of a band's pixels
 
 layout(constant_id = 0) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
+  vec4 ambient;  // rgb: radiance of the sky on top of the environment's
   uint first;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
   uint ownSurfaces;  // 1: `materials` has normals of translucent surfaces
-  vec4 ambient;      // rgb: radiance of the sky on top of the environment's
+  uint firstRow;     // of the band
+  uint rows;
+  uint round;
 };
 
 #include "lib/exitance_met.glsl"
+#include "lib/neighbours.glsl"
 #include "lib/through_bodies.glsl"
+
+// The rounds of SeenThroughPass.
+const uint lookingOnce = 0u;
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -174,10 +182,9 @@ bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
   return true;
 }
 
-// The light along a line of sight that has just entered a body, and how much of what is behind that body is seen.
-vec4 seenAlong(Sightline its) {
+// The light along a line of sight that has just entered a body.
+vec3 seenAlong(Sightline its) {
   vec3 seen = vec3(0.0);
-  float most = 0.0;
   for (uint surfaces = 0u; surfaces < mostSurfacesOfWay; ++surfaces) {
     bool within = its.inside != everyObject;
     float largest = largestOf(its.share);
@@ -186,11 +193,7 @@ vec4 seenAlong(Sightline its) {
     RayHit hit = nearestHit(its.origin, its.direction, its.least, reach, everything());
     if (within) {
       if (hit.piece == noPiece || !goThroughBody(hit, its)) break;
-      if (its.inside == everyObject) {
-        float left = largestOf(its.share);
-        its.share *= smoothstep(leastSeen, 2.0 * leastSeen, left);
-        most = max(most, left);
-      }
+      if (its.inside == everyObject) its.share *= smoothstep(leastSeen, 2.0 * leastSeen, largestOf(its.share));
       continue;
     }
     vec3 ofLight;
@@ -201,7 +204,7 @@ vec4 seenAlong(Sightline its) {
     }
     if (!goToBody(hit, its, seen)) break;
   }
-  return vec4(seen, most);
+  return seen;
 }
 
 // What the paint of a surface that is seen itself lets through.
@@ -220,43 +223,56 @@ vec3 enteringNormal(Seen seen, MeshPlace place, vec3 direction, float eta) {
   return enters ? normal : place.facet;
 }
 
-vec4 seenFrom(vec3 position, Seen seen, MeshPlace place) {
+// From a place in the pixel.
+vec3 seenFrom(vec2 placeInPixel, Seen seen, MeshPlace place) {
+  vec3 weights = max(place.weights + weightsOver(seen, place) * placeInPixel, 0.0);  // not beyond the triangle
+  mat3 corners =
+      mat3(positionOf(place.vertices.x), positionOf(place.vertices.y), positionOf(place.vertices.z));
+  vec3 position = corners * weights / (weights.x + weights.y + weights.z);
   Sightline its = Sightline(position, -normalize(toCameraFrom(position)), startAbove(position), place.object, vec3(1.0));
   float eta = etaOf(place.object, position);
   refractAt(enteringNormal(seen, place, its.direction, eta), 1.0 / eta, its);
   float cosine = -dot(place.facet, its.direction);
-  vec4 found = seenAlong(its);
-  if (withPaint != 0u && found.w > 0.0) found.rgb *= throughOwnPaint(position, place, cosine);
-  return found;
+  vec3 light = seenAlong(its);
+  if (withPaint != 0u && light != vec3(0.0)) light *= throughOwnPaint(position, place, cosine);
+  return light;
 }
 
-// Where two places differ by more than this part of the brighter one, two more are asked.
-const float leastDifference = 0.02;
+// Which object a pixel's first surface is of, as what stands beside the light that it has found.
+float markOf(MeshPlace place) {
+  return float(1u + place.object);
+}
 
-vec3 seenThrough(Seen seen, MeshPlace place) {
-  mat2x3 over = weightsOver(seen, place);
-  mat3 corners =
-      mat3(positionOf(place.vertices.x), positionOf(place.vertices.y), positionOf(place.vertices.z));
-  vec3 sum = vec3(0.0);
-  vec3 firstOfAll = vec3(0.0);
-  uint places = 2u;
-  for (uint k = 0u; k < places; ++k) {
-    vec3 weights = max(place.weights + over * placesInPixel[k], 0.0);  // not beyond the triangle
-    vec4 found = seenFrom(corners * weights / (weights.x + weights.y + weights.z), seen, place);
-    if (k == 0u && found.w == 0.0) return vec3(0.0);
-    sum += found.rgb;
-    if (k == 0u) firstOfAll = found.rgb;
-    if (k == 1u && largestOf(abs(found.rgb - firstOfAll)) > leastDifference * largestOf(sum)) places = 4u;
+// Where pixels side by side differ by more than this part of the brighter one, more is looked at.
+const float leastDifference = 0.06;
+
+bool differsFromNeighbours(Seen seen, MeshPlace place, vec3 light) {
+  for (uint i = 0u; i < 4u; ++i) {
+    ivec2 other = seen.pixel + ivec2(i == 0u ? 1 : i == 1u ? -1 : 0, i == 2u ? 1 : i == 3u ? -1 : 0);
+    if (!isInBand(other) || samplesOf(seenWord(other, 0u)) == 0u) continue;
+    vec4 its = found[indexOf(other)];
+    if (its.w != markOf(place)) continue;
+    if (largestOf(abs(its.rgb - light)) > leastDifference * max(largestOf(its.rgb), largestOf(light))) return true;
   }
-  return sum / float(places);
+  return false;
 }
 
 void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  ObjectData body = objects[place.object];
-  if (isOpaque(body)) return;
-  bool enters = place.side > 0.0 && dot(place.facet, toCameraFrom(place.inside)) > 0.0;
-  materials[seen.entry].emission = vec4(enters ? seenThrough(seen, place) : vec3(0.0), 0.0);
+  bool enters = !isOpaque(objects[place.object]) && place.side > 0.0;
+  if (round == lookingOnce) {
+    vec3 light = enters ? seenFrom(vec2(0.0), seen, place) : vec3(0.0);
+    if (enters) materials[seen.entry].through = vec4(light, 0.0);
+    if (isFirstSurface(seen)) found[indexOf(seen.pixel)] = vec4(light, enters ? markOf(place) : 0.0);
+    return;
+  }
+  if (isOpaque(objects[place.object])) return;
+  vec3 light = enters ? materials[seen.entry].through.rgb : vec3(0.0);
+  if (enters && differsFromNeighbours(seen, place, light)) {
+    light = vec3(0.0);
+    for (uint k = 0u; k < 4u; ++k) light += 0.25 * seenFrom(placesInPixel[k], seen, place);
+  }
+  materials[seen.entry].behind = vec4(light, 0.0);
 }

@@ -117,7 +117,7 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   if (byOrigin != 0u)
     scattered *= exitLaw(medium, cosine, atFragments != 0u ? origins[seen.entry] : meshOriginAt(place));
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
-  if (seesThrough != 0u) scattered += (1.0 - kept) * materials[seen.entry].emission.rgb;
+  if (seesThrough != 0u) scattered += (1.0 - kept) * materials[seen.entry].behind.rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? skyShares[seen.entry] : 1.0;
   vec3 bodies = left / pi;

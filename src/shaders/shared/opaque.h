@@ -63,19 +63,20 @@ struct CornerTangents {
 };
 
 /// What an opaque surface is made of where a pixel sees it. Of translucent ones only roughness,
-/// normal, `around` and `emission` are set.
+/// normal, `around`, `through` and `behind` are set.
 struct SeenMaterial {
   vec4 diffuse;  // rgb: share of light given back diffusely, less what is mirrored; w: roughness²
   vec4 dielectric;  // rgb: F₀ of the part that is no metal; w: its F₉₀
   vec4 metal;       // rgb: F₀ of metal; w: share that is metal
   vec4 normal;      // unit, to the side that is seen; w: share of indirect light
-  vec4 emission;    // rgb: radiance; w: 1 where it is unlit. For a translucent surface, rgb: what is
-                  // seen straight through it, before the boundary there mirrors a part
+  vec4 emission;    // rgb: radiance; w: 1 where it is unlit
   vec4 around;   // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
                  // sky. For a translucent surface, rgb leaves out the sky; w: 1 where it is known
   vec4 through;  // rgb: share of light on the other side that leaves here diffusely, less what is
-                 // mirrored
-  vec4 behind;   // rgb: irradiance on the other side, where some of it gets through
+                 // mirrored. For a translucent surface, radiance behind the body that is seen
+                 // through it by one line of sight, before its boundary mirrors some
+  vec4 behind;   // rgb: irradiance on the other side, where some of it gets through. For a
+                 // translucent surface, that radiance for the pixel
 };
 
 /// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over this many.
