@@ -128,7 +128,8 @@ std::optional<EyePaths::Step> EyePaths::mirrored(const Vertex& vertex, Share& sh
 std::optional<EyePaths::Step> EyePaths::next(const Vertex& vertex, Share& share,
                                              Random& random) const {
   constexpr double leastMirrored = 0.05;  // for the choice alone
-  if (vertex.letsOut <= 0) return mirrored(vertex, share, random);
+  const bool seesThrough = tracer_.options().shown == Scattered::Both;
+  if (vertex.letsOut <= 0 || !seesThrough) return mirrored(vertex, share, random);
   const auto exit = throughMedia_.from(vertex.point, -vertex.toEye, random);
   const Colour through = exit ? vertex.letsOut * product(share.ofStraight, exit->share) : Colour{};
   const double most = largest(through);

@@ -34,7 +34,7 @@ layout(std430, set = 0, binding = 16) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 17) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 19) uniform sampler2D environment;
-layout(std430, set = 0, binding = 22) buffer FoundOfPixels { vec4 found[]; };  // by the first surfaces of a band's pixels
+layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };  // by the first surfaces of a band's pixels
 
 layout(constant_id = 0) const uint withPaint = 0u;
 
@@ -69,6 +69,7 @@ struct Sightline {
   vec3 direction;  // unit
   float least;     // what is nearer than this is behind it, mm
   uint inside;     // the object that it is in, or everyObject
+  uint depth;      // how many parts of that body it is in, one within the other
   vec3 share;      // of the light there that is seen
 };
 
@@ -134,7 +135,7 @@ void moveTo(float distance, inout Sightline its) {
 }
 
 void passBy(float distance, inout Sightline its) {
-  its.least += distance;
+  its.least = distance + startAbove(its.origin + distance * its.direction);
 }
 
 float etaOf(uint object, vec3 place) {
@@ -145,11 +146,16 @@ float etaOf(uint object, vec3 place) {
 bool goThroughBody(RayHit hit, inout Sightline its) {
   Surface met = surfaceMet(hit.piece, its.origin + hit.distance * its.direction);
   if (isOpaque(objects[met.object])) return false;
-  if (met.object != its.inside || dot(met.side, its.direction) <= 0.0) {  // no boundary of the body
+  bool ofBody = objects[met.object].body.x == objects[its.inside].body.x;
+  bool leaves = dot(met.side, its.direction) > 0.0;
+  if (!ofBody || !leaves || its.depth > 1u) {  // no boundary of the body
+    if (ofBody) its.depth = leaves ? its.depth - 1u : its.depth + 1u;
     passBy(hit.distance, its);
     return true;
   }
-  its.share *= exp(-hit.distance * insideOf(objects[met.object]).collision.rgb);
+  // Of a body of several media it goes through the two at its ends, half of the way each.
+  vec3 ofBoth = insideOf(objects[its.inside]).collision.rgb + insideOf(objects[met.object]).collision.rgb;
+  its.share *= exp(-0.5 * hit.distance * ofBoth);
   moveTo(hit.distance, its);
   float cosine = dot(met.side, its.direction);
   if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
@@ -178,6 +184,7 @@ bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
   its.share *= 1.0 - fresnelReflectance(eta, clamp(-dot(met.normal, its.direction), 0.0, 1.0));
   refractAt(dot(met.normal, its.direction) < 0.0 ? met.normal : met.side, 1.0 / eta, its);
   its.inside = met.object;
+  its.depth = 1u;
   if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, -dot(met.side, its.direction));
   return true;
 }
@@ -229,7 +236,8 @@ vec3 seenFrom(vec2 placeInPixel, Seen seen, MeshPlace place) {
   mat3 corners =
       mat3(positionOf(place.vertices.x), positionOf(place.vertices.y), positionOf(place.vertices.z));
   vec3 position = corners * weights / (weights.x + weights.y + weights.z);
-  Sightline its = Sightline(position, -normalize(toCameraFrom(position)), startAbove(position), place.object, vec3(1.0));
+  vec3 towards = -normalize(toCameraFrom(position));
+  Sightline its = Sightline(position, towards, startAbove(position), place.object, 1u, vec3(1.0));
   float eta = etaOf(place.object, position);
   refractAt(enteringNormal(seen, place, its.direction, eta), 1.0 / eta, its);
   float cosine = -dot(place.facet, its.direction);
