@@ -21,9 +21,9 @@ using ReflectedSkyTest = RendererTest;
 
 constexpr double eta = 1.5;
 
-// Nothing scatters back out of it, so that only the reflection is visible.
+// Nothing comes out of it or through it, so that only the reflection is visible.
 Medium black() {
-  return {"black", {1e-6, 1e-6, 1e-6}, {1, 1, 1}, eta};
+  return {"black", {1e-6, 1e-6, 1e-6}, {20, 20, 20}, eta};
 }
 
 double fresnel(double cosine) {

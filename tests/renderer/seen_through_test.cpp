@@ -88,8 +88,8 @@ TEST_F(SeenThroughTest, ABallRefractsTheSky) {
     }
   constexpr double radiusMm = 2;
   const Vector camera{0, 0, 100};
-  Scene scene = sceneOf(sphere({0, 0, 0}, static_cast<float>(radiusMm), 5), glass(),
-                        toVec3(camera), 2.2F);
+  Scene scene =
+      sceneOf(sphere({0, 0, 0}, static_cast<float>(radiusMm), 5), glass(), toVec3(camera), 2.2F);
   scene.lighting.environment = std::make_shared<const Image>(sky);
   const RenderResult result =
       renderBoundary(scene, withoutReflection(64), {Aov::Radiance, Aov::Position});
@@ -106,8 +106,7 @@ TEST_F(SeenThroughTest, ABallRefractsTheSky) {
     const Vector across = length(aside) > 0 ? unit(-1 * normal - dot(-1 * normal, in) * in) : aside;
     const Vector direction = std::cos(turned) * in + std::sin(turned) * across;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double expected =
-          skyFrom(direction) * throughGlass(c, 2 * radiusMm * inside, cosine);
+      const double expected = skyFrom(direction) * throughGlass(c, 2 * radiusMm * inside, cosine);
       ASSERT_NEAR(result.images[0].rgba[i + c], expected, 0.012 * expected) << cosine << ' ' << c;
     }
     ++compared;
