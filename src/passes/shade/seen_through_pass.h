@@ -27,15 +27,14 @@ class SeenThroughPass {
     Backdrop& backdrop;
     glm::vec3 ambient;  ///< radiance of the sky on top of the environment's
   };
-  /// Writes shared::SeenMaterial::behind of translucent surfaces. More is looked at where pixels
-  /// side by side see different things.
+  /// Writes shared::SeenMaterial::behind of translucent surfaces.
   void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
               const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
   gpu::Sampler aroundHorizon_;
-  Variants<shaders::ShadeSeenThrough> pipelines_;
+  VariantsOfTwo<shaders::ShadeSeenThrough> pipelines_;  ///< from the grid, with paint
 };
 
 }  // namespace opaline::passes

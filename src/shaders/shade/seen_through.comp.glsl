@@ -1,6 +1,7 @@
 // What is seen through translucent surfaces by light that the body does not scatter: lines of sight are refracted into
 // it and out of it, and go on until they meet an opaque surface, a light or the sky. On the way they meet other bodies,
-// whose light is added.
+// whose light is added. Every second pixel of every second row is looked from first. Other pixels are interpolated between
+// these where they agree.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -25,6 +26,7 @@
 #include "lib/seen_list.glsl"
 #include "lib/footprint.glsl"
 #include "lib/sight.glsl"
+#include "lib/tile.glsl"
 #include "lib/visible_light.glsl"
 #include "shared/opaque.h"
 
@@ -34,9 +36,11 @@ layout(std430, set = 0, binding = 16) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 17) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 19) uniform sampler2D environment;
-layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };  // by the first surfaces of a band's pixels
+layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };  // by pixels of the grid in a band; w: see markOf(), or 0
+layout(std430, set = 0, binding = 23) readonly buffer Entries { uint entryOfPixel[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
+layout(constant_id = 1) const uint onGrid = 0u;
 
 layout(push_constant) uniform Push {
   vec4 ambient;  // rgb: radiance of the sky on top of the environment's
@@ -46,15 +50,11 @@ layout(push_constant) uniform Push {
   uint ownSurfaces;  // 1: `materials` has normals of translucent surfaces
   uint firstRow;     // of the band
   uint rows;
-  uint round;
 };
 
 #include "lib/exitance_met.glsl"
 #include "lib/neighbours.glsl"
 #include "lib/through_bodies.glsl"
-
-// The rounds of SeenThroughPass.
-const uint lookingOnce = 0u;
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -251,36 +251,60 @@ float markOf(MeshPlace place) {
   return float(1u + place.object);
 }
 
-// Where pixels side by side differ by more than this part of the brighter one, more is looked at.
-const float leastDifference = 0.06;
-
-bool differsFromNeighbours(Seen seen, MeshPlace place, vec3 light) {
-  for (uint i = 0u; i < 4u; ++i) {
-    ivec2 other = seen.pixel + ivec2(i == 0u ? 1 : i == 1u ? -1 : 0, i == 2u ? 1 : i == 3u ? -1 : 0);
-    if (!isInBand(other) || samplesOf(seenWord(other, 0u)) == 0u) continue;
-    vec4 its = found[indexOf(other)];
-    if (its.w != markOf(place)) continue;
-    if (largestOf(abs(its.rgb - light)) > leastDifference * max(largestOf(its.rgb), largestOf(light))) return true;
-  }
-  return false;
+bool isEntered(MeshPlace place) {
+  return !isOpaque(objects[place.object]) && place.side > 0.0;
 }
 
-void main() {
+void lookFromGrid() {
+  ivec2 pixel = 2 * pixelOfInvocation() + ivec2(0, firstRow);
+  if (!isInBand(pixel)) return;
+  Seen seen = Seen(true, entryOfPixel[indexOf(pixel)], pixel, seenWord(pixel, 0u));
+  found[indexOf(pixel)] = vec4(0.0);
+  if (samplesOf(seen.word) == 0u) return;
+  MeshPlace place = seenPlace(pixel, seen.word);
+  if (isEntered(place)) found[indexOf(pixel)] = vec4(seenFrom(vec2(0.0), seen, place), markOf(place));
+}
+
+// Pixels of the grid around one must not differ by more than this part of the brightest to be interpolated.
+const float leastDifference = 0.06;
+
+// Between the pixels of the grid around; w: 0 where they do not tell.
+vec4 seenBetween(ivec2 pixel, float mark) {
+  ivec2 low = ivec2(0, firstRow) + ((pixel - ivec2(0, firstRow)) & ~1);
+  vec2 part = 0.5 * vec2(pixel - low);
+  vec3 sum = vec3(0.0);
+  vec3 least = vec3(3e38);
+  vec3 most = vec3(0.0);
+  for (uint i = 0u; i < 4u; ++i) {
+    ivec2 corner = 2 * ivec2(i & 1u, i >> 1u);
+    if (!isInBand(low + corner)) return vec4(0.0);
+    vec4 its = found[indexOf(low + corner)];
+    if (its.w != mark) return vec4(0.0);
+    vec2 weights = mix(1.0 - part, part, greaterThan(corner, ivec2(0)));
+    sum += weights.x * weights.y * its.rgb;
+    least = min(least, its.rgb);
+    most = max(most, its.rgb);
+  }
+  return vec4(sum, largestOf(most - least) <= leastDifference * largestOf(most) ? 1.0 : 0.0);
+}
+
+void lookFromList() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  bool enters = !isOpaque(objects[place.object]) && place.side > 0.0;
-  if (round == lookingOnce) {
-    vec3 light = enters ? seenFrom(vec2(0.0), seen, place) : vec3(0.0);
-    if (enters) materials[seen.entry].through = vec4(light, 0.0);
-    if (isFirstSurface(seen)) found[indexOf(seen.pixel)] = vec4(light, enters ? markOf(place) : 0.0);
-    return;
-  }
   if (isOpaque(objects[place.object])) return;
-  vec3 light = enters ? materials[seen.entry].through.rgb : vec3(0.0);
-  if (enters && differsFromNeighbours(seen, place, light)) {
+  vec4 between = seenBetween(seen.pixel, markOf(place));
+  vec3 light = between.rgb;
+  if (between.w == 0.0) {
     light = vec3(0.0);
-    for (uint k = 0u; k < 4u; ++k) light += 0.25 * seenFrom(placesInPixel[k], seen, place);
+    for (uint k = 0u; k < 4u && isEntered(place); ++k) light += 0.25 * seenFrom(placesInPixel[k], seen, place);
   }
   materials[seen.entry].behind = vec4(light, 0.0);
+}
+
+void main() {
+  if (onGrid != 0u)
+    lookFromGrid();
+  else
+    lookFromList();
 }

@@ -63,7 +63,7 @@ struct CornerTangents {
 };
 
 /// What an opaque surface is made of where a pixel sees it. Of translucent ones only roughness,
-/// normal, `around`, `through` and `behind` are set.
+/// normal, `around` and `behind` are set.
 struct SeenMaterial {
   vec4 diffuse;  // rgb: share of light given back diffusely, less what is mirrored; w: roughness²
   vec4 dielectric;  // rgb: F₀ of the part that is no metal; w: its F₉₀
@@ -73,10 +73,9 @@ struct SeenMaterial {
   vec4 around;   // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
                  // sky. For a translucent surface, rgb leaves out the sky; w: 1 where it is known
   vec4 through;  // rgb: share of light on the other side that leaves here diffusely, less what is
-                 // mirrored. For a translucent surface, radiance behind the body that is seen
-                 // through it by one line of sight, before its boundary mirrors some
+                 // mirrored
   vec4 behind;   // rgb: irradiance on the other side, where some of it gets through. For a
-                 // translucent surface, that radiance for the pixel
+                 // translucent surface, radiance seen through it, before its boundary mirrors some
 };
 
 /// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over this many.
