@@ -38,7 +38,8 @@ void SeenThroughPass::record(gpu::CommandList& commands, const Inputs& inputs,
       .clusterNodes = clusters.nodes,
       .pieces = inputs.surfels.pieces,
       .found = surfaces.ofPixels[0],
-      .entryOfPixel = surfaces.entryOfPixel};
+      .entryOfPixel = surfaces.entryOfPixel,
+      .means = clusters.means};
   const shaders::ShadeSeenThrough::Push push{.ambient = glm::vec4(inputs.ambient, 0),
                                              .first = 0,
                                              .nodeCount = inputs.surfels.tree.nodeCount,

@@ -38,6 +38,7 @@ layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[
 layout(set = 0, binding = 19) uniform sampler2D environment;
 layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };  // by pixels of the grid in a band; w: see markOf(), or 0
 layout(std430, set = 0, binding = 23) readonly buffer Entries { uint entryOfPixel[]; };
+layout(std430, set = 0, binding = 24) readonly buffer Means { vec4 means[]; };  // exitance of half-spaces
 
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(constant_id = 1) const uint onGrid = 0u;
@@ -169,6 +170,12 @@ bool goThroughBody(RayHit hit, inout Sightline its) {
   return true;
 }
 
+// Of an open body, as it is seen itself, that of a half-space.
+vec3 exitanceOfMet(Surface met, uint piece, Sightline its) {
+  if (ranges[met.cluster].kind == openBody) return means[met.cluster].rgb;
+  return exitanceMet(its.origin, piece, its.direction, true);
+}
+
 // Outside: adds the light of what it meets. False if it ends there.
 bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
   Surface met = surfaceMet(hit.piece, its.origin + hit.distance * its.direction);
@@ -178,7 +185,7 @@ bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
     return true;
   }
   moveTo(hit.distance, its);
-  seen += its.share * exitanceMet(its.origin, hit.piece, its.direction, true) / pi;
+  seen += its.share * exitanceOfMet(met, hit.piece, its) / pi;
   if (!hasInside) return false;
   float eta = etaOf(met.object, its.origin);
   its.share *= 1.0 - fresnelReflectance(eta, clamp(-dot(met.normal, its.direction), 0.0, 1.0));
