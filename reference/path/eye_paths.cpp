@@ -137,7 +137,7 @@ std::optional<EyePaths::Step> EyePaths::next(const Vertex& vertex, Share& share,
   const double chance = most > 0 ? most / (most + other) : 0;
   if (random() < chance) {
     share.ofAll = share.ofStraight = (1 / chance) * through;
-    return Step{exit->point, exit->direction};
+    return Step{exit->point, exit->direction, 0, exit->isOpaque};
   }
   share *= 1 / (1 - chance);
   return mirrored(vertex, share, random);
@@ -154,6 +154,10 @@ Colour EyePaths::follow(Vertex vertex, Random& random) const {
     sum += product(share.ofAll, lightAt(vertex, random));
     const std::optional<Step> step = next(vertex, share, random);
     if (!step || largest(share.ofAll) <= 0) return sum;
+    if (step->ends) {
+      vertex = vertexAt(step->from, -step->direction, false);
+      continue;
+    }
     const auto hit = geometry_.closestHit(step->from, step->direction);
     const double free = hit ? hit->distanceMm : std::numeric_limits<double>::infinity();
     lights_.forEachAlong(step->from.position, step->direction, free, [&](const LightAlong& light) {

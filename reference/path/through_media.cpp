@@ -49,7 +49,7 @@ std::optional<ThroughMedia::Exit> ThroughMedia::from(const SurfacePoint& point,
   const Vector& facet = point.facetNormal;
   const Vector normal = normalAt(scene.bodies[body], point, facet);
   if (dot(direction, facet) >= 0 || dot(direction, normal) >= 0) return std::nullopt;
-  Exit way{point, refractedInto(facet, direction, normal, interiors_[0][body].eta), {}};
+  Exit way{point, refractedInto(facet, direction, normal, interiors_[0][body].eta)};
   way.share = pastLayer(point, -dot(way.direction, facet));
   int depth = 1;  // how many nested parts of the body it is in
   for (int surface = 0; surface < mostSurfaces; ++surface) {
@@ -59,7 +59,8 @@ std::optional<ThroughMedia::Exit> ThroughMedia::from(const SurfacePoint& point,
         product(way.share, left(body, way.point.position, way.direction, hit->distanceMm, random));
     if (*std::ranges::max_element(way.share) < leastShare) return std::nullopt;
     way.point = hit->point;
-    if (scene.bodies[hit->point.body].opaque) return std::nullopt;
+    way.isOpaque = scene.bodies[hit->point.body].opaque.has_value();
+    if (way.isOpaque) return way;
     if (wholeOf(scene, hit->point.body) != whole) continue;
     const double cosine = std::min(dot(way.direction, hit->point.facetNormal), 1.0);
     if (cosine <= 0) ++depth;

@@ -17,15 +17,16 @@ class ThroughMedia {
   /// The geometry must outlive it.
   explicit ThroughMedia(const Geometry& geometry);
 
-  /// Where such a way ends.
+  /// Where such a way ends: outside or, if it has met an opaque body within, there.
   struct Exit {
     SurfacePoint point;
-    Vector direction{};  ///< unit, outside
-    Colour share{};      ///< of the radiance there that arrives
+    Vector direction{};  ///< unit
+    bool isOpaque = false;
+    Colour share{};  ///< of the radiance there that arrives
   };
   /// Goes into a medium at a point of its boundary, in that direction outside. What the boundary
   /// there mirrors is left out. Reflection at other places is decided at random. None where
-  /// nothing would arrive, or where an opaque body lies within.
+  /// nothing would arrive.
   std::optional<Exit> from(const SurfacePoint& point, const Vector& direction,
                            Random& random) const;
 

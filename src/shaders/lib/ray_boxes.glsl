@@ -103,4 +103,13 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
   return hit;
 }
 
+RayHit nearestHitOfOthers(vec3 origin, vec3 direction, float minDistance, float maxDistance, RayTarget body,
+                          uint nodeCount) {
+  RayTarget before = RayTarget(0u, body.firstNode, everyObject);
+  RayTarget after = RayTarget(body.endNode, nodeCount, everyObject);
+  RayHit first = meetPieces(origin, direction, minDistance, maxDistance, before, false);
+  RayHit second = meetPieces(origin, direction, minDistance, first.distance, after, false);
+  return second.piece != noPiece ? second : first;
+}
+
 #endif

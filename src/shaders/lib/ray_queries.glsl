@@ -8,6 +8,14 @@ layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayHier
 
 uint firstPieceOf(uint object);
 
+// What a query has found.
+#define FOUND_BY(query, maxDistance)                                                                          \
+  (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT                     \
+       ? RayHit(maxDistance, noPiece)                                                                         \
+       : RayHit(rayQueryGetIntersectionTEXT(query, true),                                                     \
+                firstPieceOf(uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true))) +              \
+                    uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true))))
+
 // Rays for one object meet bodies of its class. Where a class has several, triangles are not opaque
 // (see gpu::AccelerationStructure), and each is asked whose it is.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
@@ -24,11 +32,20 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
     if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) == int(target.object))
       rayQueryConfirmIntersectionEXT(query);
   }
-  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
-    return RayHit(maxDistance, noPiece);
-  uint object = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true));
-  uint piece = firstPieceOf(object) + uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
-  return RayHit(rayQueryGetIntersectionTEXT(query, true), piece);
+  return FOUND_BY(query, maxDistance);
+}
+
+RayHit nearestHitOfOthers(vec3 origin, vec3 direction, float minDistance, float maxDistance, RayTarget body,
+                          uint nodeCount) {
+  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);
+  rayQueryEXT query;
+  rayQueryInitializeEXT(query, rayHierarchy, gl_RayFlagsNoOpaqueEXT, 0xffu, origin, minDistance, direction,
+                        maxDistance);
+  while (rayQueryProceedEXT(query)) {
+    if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) != int(body.object))
+      rayQueryConfirmIntersectionEXT(query);
+  }
+  return FOUND_BY(query, maxDistance);
 }
 
 #endif

@@ -46,6 +46,10 @@ RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDista
   return meetPieces(origin, direction, minDistance, maxDistance, target, false);
 }
 
+// The nearest piece that is not of that body is found by
+//   RayHit nearestHitOfOthers(vec3 origin, vec3 direction, float minDistance, float maxDistance, RayTarget body,
+//                             uint nodeCount)
+
 // Whether there is any such piece.
 bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance,
               RayTarget target) {

@@ -1,7 +1,7 @@
 // What is seen through translucent surfaces by light that the body does not scatter: lines of sight are refracted into
 // it and out of it, and go on until they meet an opaque surface, a light or the sky. On the way they meet other bodies,
-// whose light is added. Every second pixel of every second row is looked from first. Other pixels are interpolated between
-// these where they agree.
+// whose light is added. Every second pixel of every second row is looked from first. Other pixels are interpolated
+// between these where they agree.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -36,7 +36,8 @@ layout(std430, set = 0, binding = 16) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 17) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 18) buffer Materials { SeenMaterial materials[]; };
 layout(set = 0, binding = 19) uniform sampler2D environment;
-layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };  // by pixels of the grid in a band; w: see markOf(), or 0
+// By pixels of the grid in a band; w: see markOf(), or 0.
+layout(std430, set = 0, binding = 22) buffer Found { vec4 found[]; };
 layout(std430, set = 0, binding = 23) readonly buffer Entries { uint entryOfPixel[]; };
 layout(std430, set = 0, binding = 24) readonly buffer Means { vec4 means[]; };  // exitance of half-spaces
 
@@ -143,31 +144,75 @@ float etaOf(uint object, vec3 place) {
   return mediumAt(objects[object], place).boundary.x;
 }
 
-// Inside of a body: leaves it, or is mirrored as a whole. False if it ends there.
-bool goThroughBody(RayHit hit, inout Sightline its) {
-  Surface met = surfaceMet(hit.piece, its.origin + hit.distance * its.direction);
-  if (isOpaque(objects[met.object])) return false;
+// Where a body stands on an opaque one, either surface may be met first, at this many starts of rays from the other.
+const float mostBetweenTouching = 20.0;
+
+// A short piece of a line of sight around a place.
+struct Probe {
+  vec3 origin;
+  vec3 direction;
+  float reach;
+};
+
+Probe probeAround(vec3 place, vec3 direction) {
+  float aside = mostBetweenTouching * startAbove(place);
+  return Probe(place - aside * direction, direction, 2.0 * aside);
+}
+
+// An opaque piece in it, or noPiece.
+uint opaquePieceIn(Probe probe, ObjectData body) {
+  RayTarget own = RayTarget(body.tree.x, body.tree.w, body.body.x);
+  uint piece = nearestHitOfOthers(probe.origin, probe.direction, 0.0, probe.reach, own, nodeCount).piece;
+  return piece != noPiece && isOpaque(objects[objectOfPiece(piece)]) ? piece : noPiece;
+}
+
+// A piece of the body itself, without linings.
+uint pieceOfBodyIn(Probe probe, ObjectData body) {
+  RayTarget own = RayTarget(body.tree.x, body.tree.y, body.body.x);
+  return nearestHit(probe.origin, probe.direction, 0.0, probe.reach, own).piece;
+}
+
+bool isOpaqueOrLining(uint piece) {
+  return isOpaque(objects[objectOfPiece(piece)]) || ranges[clusterOfSurfel[piece / piecesPerSurfel]].kind == lining;
+}
+
+// Inside of a body: leaves it, or is mirrored as a whole. Adds the light of an opaque surface that lies within or touches
+// the body where it leaves. False if it ends there.
+bool goThroughBody(RayHit hit, inout Sightline its, inout vec3 seen) {
+  vec3 direction = its.direction;
+  vec3 place = its.origin + hit.distance * direction;
+  Probe probe = probeAround(place, direction);
+  uint opaque = isOpaqueOrLining(hit.piece) ? hit.piece : noPiece;
+  uint piece = opaque != noPiece ? pieceOfBodyIn(probe, objects[its.inside]) : hit.piece;
+  bool isWithin = piece == noPiece;
+  Surface met = surfaceMet(isWithin ? hit.piece : piece, place);
   bool ofBody = objects[met.object].body.x == objects[its.inside].body.x;
-  bool leaves = dot(met.side, its.direction) > 0.0;
-  if (!ofBody || !leaves || its.depth > 1u) {  // no boundary of the body
+  float cosine = dot(met.side, direction);
+  bool leaves = cosine > 0.0;
+  if (opaque == noPiece && (!ofBody || !leaves || its.depth > 1u)) {  // no boundary of the body
     if (ofBody) its.depth = leaves ? its.depth - 1u : its.depth + 1u;
     passBy(hit.distance, its);
     return true;
   }
   // Of a body of several media it goes through the two at its ends, half of the way each.
-  vec3 ofBoth = insideOf(objects[its.inside]).collision.rgb + insideOf(objects[met.object]).collision.rgb;
+  uint atEnd = isWithin ? its.inside : met.object;
+  vec3 ofBoth = insideOf(objects[its.inside]).collision.rgb + insideOf(objects[atEnd]).collision.rgb;
   its.share *= exp(-0.5 * hit.distance * ofBoth);
   moveTo(hit.distance, its);
-  float cosine = dot(met.side, its.direction);
-  if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
-  float eta = etaOf(met.object, its.origin);
-  if (!refractAt(-met.normal, eta, its)) {
+  if (!isWithin) {
     if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
-    return true;
+    float eta = etaOf(met.object, place);
+    if (!refractAt(-met.normal, eta, its)) {
+      if (withPaint != 0u) its.share *= throughPaintOf(met.cluster, met.object, cosine);
+      return true;
+    }
+    its.share *= 1.0 - fresnelReflectance(eta, clamp(dot(met.normal, its.direction), 0.0, 1.0));
+    if (opaque == noPiece) opaque = opaquePieceIn(probe, objects[its.inside]);
+    its.inside = everyObject;
   }
-  its.share *= 1.0 - fresnelReflectance(eta, clamp(dot(met.normal, its.direction), 0.0, 1.0));
-  its.inside = everyObject;
-  return true;
+  if (opaque == noPiece) return true;
+  seen += its.share * exitanceMet(place, opaque, direction, true) / pi;
+  return false;
 }
 
 // Of an open body, as it is seen itself, that of a half-space.
@@ -206,7 +251,7 @@ vec3 seenAlong(Sightline its) {
     float reach = within ? log(largest / leastSeen) / extinctionOf(its.inside) : 3e38;
     RayHit hit = nearestHit(its.origin, its.direction, its.least, reach, everything());
     if (within) {
-      if (hit.piece == noPiece || !goThroughBody(hit, its)) break;
+      if (hit.piece == noPiece || !goThroughBody(hit, its, seen)) break;
       if (its.inside == everyObject) its.share *= smoothstep(leastSeen, 2.0 * leastSeen, largestOf(its.share));
       continue;
     }
