@@ -8,44 +8,44 @@ layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayHier
 
 uint firstPieceOf(uint object);
 
-// What a query has found.
-#define FOUND_BY(query, maxDistance)                                                                          \
-  (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT                     \
-       ? RayHit(maxDistance, noPiece)                                                                         \
-       : RayHit(rayQueryGetIntersectionTEXT(query, true),                                                     \
-                firstPieceOf(uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true))) +              \
-                    uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true))))
+// Which bodies a ray may meet.
+const uint everyBody = 0u;
+const uint oneBody = 1u;
+const uint otherBodies = 2u;
 
 // Rays for one object meet bodies of its class. Where a class has several, triangles are not opaque
 // (see gpu::AccelerationStructure), and each is asked whose it is.
-RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
-                  RayTarget target, bool anyWillDo) {
+RayHit meetBodies(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint which, uint object,
+                  bool anyWillDo) {
   if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query needs this order
-  bool one = target.object != everyObject;
-  uint flags = (one ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT) |
+  uint flags = (which == everyBody ? gl_RayFlagsOpaqueEXT
+              : which == oneBody   ? gl_RayFlagsNoneEXT
+                                   : gl_RayFlagsNoOpaqueEXT) |
                (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
-  uint mask = one ? 1u << target.object % 8u : 0xffu;
+  uint mask = which == oneBody ? 1u << object % 8u : 0xffu;
   rayQueryEXT query;
   rayQueryInitializeEXT(query, rayHierarchy, flags, mask, origin, minDistance, direction,
                         maxDistance);
   while (rayQueryProceedEXT(query)) {
-    if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) == int(target.object))
-      rayQueryConfirmIntersectionEXT(query);
+    bool isIts = rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) == int(object);
+    if (isIts == (which == oneBody)) rayQueryConfirmIntersectionEXT(query);
   }
-  return FOUND_BY(query, maxDistance);
+  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
+    return RayHit(maxDistance, noPiece);
+  uint met = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true));
+  uint piece = firstPieceOf(met) + uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
+  return RayHit(rayQueryGetIntersectionTEXT(query, true), piece);
+}
+
+RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
+                  RayTarget target, bool anyWillDo) {
+  uint which = target.object == everyObject ? everyBody : oneBody;
+  return meetBodies(origin, direction, minDistance, maxDistance, which, target.object, anyWillDo);
 }
 
 RayHit nearestHitOfOthers(vec3 origin, vec3 direction, float minDistance, float maxDistance, RayTarget body,
                           uint nodeCount) {
-  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);
-  rayQueryEXT query;
-  rayQueryInitializeEXT(query, rayHierarchy, gl_RayFlagsNoOpaqueEXT, 0xffu, origin, minDistance, direction,
-                        maxDistance);
-  while (rayQueryProceedEXT(query)) {
-    if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) != int(body.object))
-      rayQueryConfirmIntersectionEXT(query);
-  }
-  return FOUND_BY(query, maxDistance);
+  return meetBodies(origin, direction, minDistance, maxDistance, otherBodies, body.object, false);
 }
 
 #endif
