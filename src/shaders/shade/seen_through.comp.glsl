@@ -215,10 +215,13 @@ bool goThroughBody(RayHit hit, inout Sightline its, inout vec3 seen) {
   return false;
 }
 
-// Of an open body, as it is seen itself, that of a half-space.
-vec3 exitanceOfMet(Surface met, uint piece, Sightline its) {
-  if (ranges[met.cluster].kind == openBody) return means[met.cluster].rgb;
-  return exitanceMet(its.origin, piece, its.direction, true);
+// What a surface sends along a line of sight. One of a medium is taken to mirror as much as comes from inside. An open
+// body sends what a half-space does, as where it is seen itself.
+vec3 radianceOfMet(Surface met, uint piece, Sightline its) {
+  vec3 exitance = ranges[met.cluster].kind == openBody ? means[met.cluster].rgb
+                                                       : exitanceMet(its.origin, piece, its.direction, true);
+  ObjectData body = objects[met.object];
+  return exitance * (isOpaque(body) ? 1.0 / pi : mediumAt(body, its.origin).boundary.y);
 }
 
 // Outside: adds the light of what it meets. False if it ends there.
@@ -230,7 +233,7 @@ bool goToBody(RayHit hit, inout Sightline its, inout vec3 seen) {
     return true;
   }
   moveTo(hit.distance, its);
-  seen += its.share * exitanceOfMet(met, hit.piece, its) / pi;
+  seen += its.share * radianceOfMet(met, hit.piece, its);
   if (!hasInside) return false;
   float eta = etaOf(met.object, its.origin);
   its.share *= 1.0 - fresnelReflectance(eta, clamp(-dot(met.normal, its.direction), 0.0, 1.0));
