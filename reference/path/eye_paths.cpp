@@ -154,7 +154,7 @@ Colour EyePaths::follow(Vertex vertex, Random& random) const {
     sum += product(share.ofAll, lightAt(vertex, random));
     const std::optional<Step> step = next(vertex, share, random);
     if (!step || largest(share.ofAll) <= 0) return sum;
-    if (step->ends) {
+    if (step->arrived) {
       vertex = vertexAt(step->from, -step->direction, false);
       continue;
     }

@@ -58,7 +58,7 @@ class EyePaths {
     SurfacePoint from;
     Vector direction{};
     double density = 0;  ///< per steradian; 0 for a single direction
-    bool ends = false;   ///< the path goes on from there at once: it has met an opaque body
+    bool arrived = false;  ///< `from` is the next point of the path
   };
   Vertex opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
                       const Colour& emission, const Vector& toEye) const;
