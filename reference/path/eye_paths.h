@@ -57,7 +57,7 @@ class EyePaths {
   struct Step {
     SurfacePoint from;
     Vector direction{};
-    double density = 0;  ///< per steradian; 0 for a single direction
+    double density = 0;    ///< per steradian; 0 for a single direction
     bool arrived = false;  ///< `from` is the next point of the path
   };
   Vertex opaqueVertex(const SurfacePoint& point, const OpaqueSurface& surface,
