@@ -21,10 +21,6 @@ inline Vector toVector(const Vec3& v) {
 inline Vec3 toFloat(const Vector& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
-inline Colour product(const Colour& a, const Colour& b) {
-  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
-}
-
 inline Colour toColour(const Rgb& rgb) {
   return toVector(rgb);
 }
@@ -42,6 +38,9 @@ inline Vector operator*(double s, const Vector& a) {
 }
 inline Vector& operator+=(Vector& a, const Vector& b) {
   return a = a + b;
+}
+inline Colour product(const Colour& a, const Colour& b) {
+  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
 }
 inline double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -54,7 +54,7 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
       tracer_(tracer),
       options_(options),
       lights_(geometry.scene()),
-      throughMedia_(geometry),
+      throughMedia_(geometry, tracer.interiors()),
       exitFactors_(exitFactors(geometry.scene(), Transport::BetterDipole)) {
   for (const Body& body : geometry_.scene().bodies)
     mirrored_.push_back(body.opaque ? nullptr : &mirroredShareOfMedium(body.medium.eta));

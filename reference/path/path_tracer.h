@@ -78,6 +78,7 @@ class PathTracer {
   std::uint64_t particles() const { return particles_; }
 
   const Cells& cells() const { return cells_; }
+  const InteriorsByChannel& interiors() const { return interiors_; }
   const PathOptions& options() const { return options_; }
 
  private:
@@ -103,7 +104,7 @@ class PathTracer {
   std::array<Emitter, 3> emitters_;
   std::vector<double>
       seenMm2_;  ///< per cell: its area times the share of even light that is counted
-  std::array<std::vector<Interior>, 3> interiors_;
+  InteriorsByChannel interiors_;
   std::uint64_t particles_ = 0;
   std::vector<std::atomic<std::uint32_t>> counts_;  ///< of cells, then of opaque ones
   std::array<std::atomic<std::uint64_t>, 3> lost_{};

@@ -5,12 +5,9 @@
 
 namespace opaline::reference {
 
-ThroughMedia::ThroughMedia(const Geometry& geometry) : geometry_(geometry) {
-  const Scene& scene = geometry.scene();
-  for (std::size_t c = 0; c < 3; ++c) {
-    interiors_[c] = interiorsOf(scene, c);
-    densest_[c] = densestOf(scene, interiors_[c]);
-  }
+ThroughMedia::ThroughMedia(const Geometry& geometry, const InteriorsByChannel& interiors)
+    : geometry_(geometry), interiors_(interiors) {
+  for (std::size_t c = 0; c < 3; ++c) densest_[c] = densestOf(geometry.scene(), interiors[c]);
 }
 
 Colour ThroughMedia::pastLayer(const SurfacePoint& point, double cosine) const {

@@ -14,8 +14,8 @@ namespace opaline::reference {
 /// Boundaries are smooth, as for the particles of Walk.
 class ThroughMedia {
  public:
-  /// The geometry must outlive it.
-  explicit ThroughMedia(const Geometry& geometry);
+  /// Both must outlive it.
+  ThroughMedia(const Geometry& geometry, const InteriorsByChannel& interiors);
 
   /// Where such a way ends: outside or, if it has met an opaque body within, there.
   struct Exit {
@@ -36,7 +36,7 @@ class ThroughMedia {
               Random& random) const;
 
   const Geometry& geometry_;
-  std::array<std::vector<Interior>, 3> interiors_;
+  const InteriorsByChannel& interiors_;
   std::array<std::vector<double>, 3> densest_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -33,6 +34,8 @@ struct Interior {
     return layer ? std::exp(-layer->thicknessAt(point) / std::max(cosine, 1e-9)) : 1;
   }
 };
+
+using InteriorsByChannel = std::array<std::vector<Interior>, 3>;
 
 /// One for each body.
 std::vector<Interior> interiorsOf(const Scene& scene, std::size_t channel);

@@ -2,7 +2,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
-#include "lib/lat_long.glsl"
 #include "lib/samples.glsl"
 #include "lib/sight.glsl"
 #include "lib/tile.glsl"
@@ -18,19 +17,19 @@ layout(push_constant) uniform Push {
   float fills;  // 1: the environment is seen; 0: nothing
 };
 
+#include "lib/environment_seen.glsl"
+
 vec4 seenAlong(Sight sight, float level) {
   vec3 ofLight;
   if (!isinf(distanceToLights(sight.origin, sight.direction, true, ofLight))) return vec4(ofLight, 1.0);
-  return fills * vec4(textureLod(environment, latLongCoordinates(sight.direction), level).rgb + ambient.rgb, 1.0);
+  return fills * vec4(environmentFrom(sight.direction, level), 1.0);
 }
 
 void main() {
   ivec2 pixel = pixelOfInvocation();
   ivec2 size = imageSize(radiance);
   bool inside = all(lessThan(pixel, size));
-  // Texels are as large as what a sample stands for.
-  float texel = pi / float(textureSize(environment, 0).y);
-  float level = max(log2(angleOfPixel(size.y) / (texel * sqrt(float(samples)))), 0.0);
+  float level = levelOfEnvironment(angleOfPixel(size.y) / sqrt(float(samples)));  // what a sample stands for
   vec4 sum = vec4(0.0);
   for (uint i = 0u; i < (inside ? samples : 0u); ++i)  // not by uniforms alone: see lightsAt()
     if (imageLoad(words, ivec3(pixel, i)).r == 0u)

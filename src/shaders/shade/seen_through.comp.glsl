@@ -19,7 +19,6 @@
 #include "lib/boundary.glsl"
 #include "lib/clusters_around.glsl"
 #include "lib/fresnel.glsl"
-#include "lib/lat_long.glsl"
 #include "lib/piece_at.glsl"
 #include "lib/places_in_pixel.glsl"
 #include "lib/rays.glsl"
@@ -54,6 +53,7 @@ layout(push_constant) uniform Push {
   uint rows;
 };
 
+#include "lib/environment_seen.glsl"
 #include "lib/exitance_met.glsl"
 #include "lib/neighbours.glsl"
 #include "lib/through_bodies.glsl"
@@ -116,10 +116,7 @@ vec3 throughPaintOf(uint cluster, uint object, float cosine) {
 }
 
 vec3 skyAlong(vec3 direction) {
-  // Texels are as large as pixels.
-  float texel = pi / float(textureSize(environment, 0).y);
-  float level = max(log2(angleOfPixel(textureSize(seenWords, 0).y) / texel), 0.0);
-  return textureLod(environment, latLongCoordinates(direction), level).rgb + ambient.rgb;
+  return environmentFrom(direction, levelOfEnvironment(angleOfPixel(textureSize(seenWords, 0).y)));
 }
 
 // Refracts it at a surface with that unit normal on the side that it comes from. False where all is mirrored.
